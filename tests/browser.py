@@ -154,10 +154,14 @@ def open_address(page: Page, address: str, *scripts: str) -> None:
     settle(page)  # the first page has asked for what follows its machine
 
 
-MOUNTED = """() => [...document.querySelectorAll("[data-testid=stBidiComponentIsolated]")].every((component) =>
-    component.shadowRoot?.querySelector("style, section") && !component.shadowRoot.querySelector(".stage:not(.ready)") ||
-    component.closest("[class*=_published], [class*=_pick], .st-key-keys"))"""
-"""Whether every component that shows something is there, and every stage knows its machine."""
+MOUNTED = """() => {
+  const isMounted = ({ shadowRoot }) =>
+    shadowRoot?.querySelector("style, section") && !shadowRoot.querySelector(".stage:not(.ready)");
+  const isInvisible = (component) => component.closest("[class*=_published], [class*=_pick], .st-key-keys");
+  const components = [...document.querySelectorAll("[data-testid=stBidiComponentIsolated]")];
+  return components.every((component) => isMounted(component) || isInvisible(component));
+}"""
+"""Whether every visible component is mounted, and every stage has its machine."""
 
 _WAIT = """async (ms) => {
   await new Promise((done) => setTimeout(done, ms));

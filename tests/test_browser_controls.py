@@ -102,8 +102,8 @@ def check_bad_entry(page) -> None:
 def check_copied_link(page) -> None:
     page.locator(".st-key-link").get_by_role("button", name="Share").click()
     page.locator(".st-key-link").get_by_role("button", name="Copy link").click()
-    expect(page.locator(".st-key-link .told")).not_to_be_empty()
-    said = page.locator(".st-key-link .told").inner_text()
+    expect(page.locator(".st-key-link .report")).not_to_be_empty()
+    said = page.locator(".st-key-link .report").inner_text()
     assert said in ("Copied.", "Copy this text:")
     assert said == "Copied." or page.locator(".st-key-link input").input_value() == page.url
 

@@ -69,7 +69,7 @@ def check_prediction(page) -> None:
     """Check that before the prediction the machine stands and nothing tells, and that it runs then."""
     page.wait_for_selector(f"{STAGE} .body.slab[transform]", state="attached")
     # The live region speaks half a second after things have come to rest.
-    page.wait_for_function("!ramanujan.last('say')")
+    page.wait_for_function("!ramanujan.last('announce')")
     before, place = page.evaluate(SAID), page.evaluate(PLACE)
     assert [word for word in (*TELLING, *NUMBERS) if word in before] == []
     assert "normalized" not in page.evaluate(BUS)

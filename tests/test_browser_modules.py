@@ -125,11 +125,12 @@ def test_the_clocks_begin_together_whenever_the_two_frequencies_change(page):
         "stage/playback",
         """
         const { solve } = await MOTION, playback = new it.Playback();
-        const take = (parameters) => playback.take({ parameters, solution: solve(parameters), leaves: () => null });
-        take(given);
+        const collision = () => null;
+        const set = (parameters) => playback.setMachine({ parameters, solution: solve(parameters), collision });
+        set(given);
         playback.advance(3);
         const first = playback.phase - playback.plainPhase;
-        take({ ...given, m_prime: 1 });
+        set({ ...given, m_prime: 1 });
         return [first, playback.phase - playback.plainPhase];
         """.replace("MOTION", module("stage/motion")),
         PARAMETERS,

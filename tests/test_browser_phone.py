@@ -87,7 +87,7 @@ def check_arrival(phone: Phone) -> None:
         phone.page.emulate_media(reduced_motion="no-preference")
         story.tap()
         for said in ("Heavy rollers", "Lighter rollers"):
-            expect(phone.page.locator(".st-key-story .said")).to_contain_text(said)
+            expect(phone.page.locator(".st-key-story .sentence")).to_contain_text(said)
             check_seen()
         story.tap()
         expect(story).to_have_text("Bring them into step")

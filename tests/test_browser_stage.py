@@ -103,7 +103,7 @@ def test_buttons_layers_and_keys_do_as_much(picture):
 def test_less_motion_is_a_still_described_in_words_and_its_wish_is_followed_at_once(bare):
     here = bare()
     here.sliders(m=1, m_prime=1, k=10, compression=8, radius=10)
-    here.page.evaluate("() => bus.subscribe('say', ({ sentence }) => (window.said ??= []).push(sentence))")
+    here.page.evaluate("() => bus.subscribe('announce', ({ sentence }) => (window.said ??= []).push(sentence))")
     picture = Picture(here)
     page = picture.page
     turns = 1 / (math.sqrt(Oscillator().normalized_frequency_squared) - 1)
@@ -169,7 +169,7 @@ def test_what_is_hidden_is_neither_drawn_nor_said(bare):
     """What the page says around the stage is in test_scene_view."""
     for hide in (("clocks", "numbers"), ()):
         here = bare()
-        here.page.evaluate("() => bus.subscribe('say', ({ sentence }) => (window.said ??= []).push(sentence))")
+        here.page.evaluate("() => bus.subscribe('announce', ({ sentence }) => (window.said ??= []).push(sentence))")
         picture = Picture(here, machine=MACHINE, hide=hide)
         words = [picture.find(WORDS)]
         for action in ("forward", "back"):

@@ -25,11 +25,11 @@ NOW = f"""() => {{
   const text = (root, selector) => root.querySelector(selector).textContent;
   const angle = (name) => /[-.\\d]+/.exec({STAGE}.querySelector(`.hand.${{name}}`).getAttribute("transform"))[0];
   return {{ periods: ramanujan.last("time/oscillator").periods, ratio: ramanujan.last("drawn/oscillator").ratio,
-    said: text({STORY}, ".said"), verdict: text({STAGE}, ".verdict"), parting: text({STAGE}, ".parting"),
+    said: text({STORY}, ".sentence"), verdict: text({STAGE}, ".verdict"), parting: text({STAGE}, ".parting"),
     degrees: angle("machine") - angle("plain") }};
 }}"""
 SAID = "In step: ε = (√1729 − 1)/36. So (36ε + 1)² = 1729."
-HEARD = "(globalThis.heard = [], bus.subscribe('say', (news) => heard.push(news.sentence)))"
+HEARD = "(globalThis.heard = [], bus.subscribe('announce', (news) => heard.push(news.sentence)))"
 """Notes what the live region is given to say."""
 MARK = "document.querySelector('.st-key-m_prime').style.getPropertyValue('--mark')"
 

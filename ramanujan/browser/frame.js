@@ -1,8 +1,8 @@
-// Writes the browser's random name into the address of a page in a frame, before Streamlit connects.
+// Writes a random name of the browser into the address of a page in a frame, before Streamlit connects.
 //
-// A browser sends no cookie of the app to a frame of another site (SameSite=Lax). The frame has a name of its own instead, in a
-// cookie for this frame on this site alone (Partitioned), or in the frame's own storage, which also works over HTTP. If the
-// browser allows neither, the name is "none". The start page contains this script; outside a frame it does nothing.
+// In a frame on another site, browsers do not send the app's cookie (SameSite=Lax). The frame has another name instead. It is
+// stored in a partitioned cookie, which only this frame on this site receives, or in the frame's storage, which also works over
+// HTTP. If the browser allows neither, the name is "none". The start page contains this script; outside a frame it does nothing.
 
 (() => {
   if (window === window.top) return;
@@ -16,20 +16,20 @@
 
   function fromCookie() {
     const read = () => document.cookie.match(`${key}=([0-9a-f]{24})`)?.[1];
-    const rules = `Max-Age=${lifetime}; Path=/; SameSite=None; Secure; Partitioned`;
-    if (location.protocol === "https:" && !read()) document.cookie = `${key}=${newName()}; ${rules}`;
+    const attributes = `Max-Age=${lifetime}; Path=/; SameSite=None; Secure; Partitioned`;
+    if (location.protocol === "https:" && !read()) document.cookie = `${key}=${newName()}; ${attributes}`;
     return read();
   }
 
   function fromStorage() {
-    const [name, since] = (localStorage.getItem(key) ?? "").split(" ");
-    if (Date.now() - Number(since) < 1000 * lifetime) return name;
-    const fresh = newName();
-    localStorage.setItem(key, `${fresh} ${Date.now()}`);
-    return fresh;
+    const [name, created] = (localStorage.getItem(key) ?? "").split(" ");
+    if (Date.now() - Number(created) < 1000 * lifetime) return name;
+    const freshName = newName();
+    localStorage.setItem(key, `${freshName} ${Date.now()}`);
+    return freshName;
   }
 
-  function unlessRefused(read) {
+  function tryRead(read) {
     try {
       return read();
     } catch {
@@ -38,6 +38,6 @@
   }
 
   const url = new URL(location.href);
-  url.searchParams.set("frame", unlessRefused(fromCookie) ?? unlessRefused(fromStorage) ?? "none");
+  url.searchParams.set("frame", tryRead(fromCookie) ?? tryRead(fromStorage) ?? "none");
   history.replaceState(history.state, "", url);
 })();

@@ -1,9 +1,12 @@
-"""The JavaScript modules of the page, with what they need: the files of this folder, and four that Python writes.
+"""The JavaScript modules, style sheets and fonts of the page: the files of this folder, and four modules from Python.
 
-The server offers them under an address with the hash of their contents, so that a browser may keep them for good. The
-browser itself resolves their imports. markup.js holds each component's HTML and CSS: Streamlit would send these again
-with every run of the page. stage/formulas.js is printed by SymPy, stage/texts.js holds the stage's words, and
-components/language.js the decimal mark.
+Their address contains the hash of their contents, so that browsers can cache them forever. The browser resolves the
+imports. These modules are generated:
+
+    markup.js                 HTML and CSS of each component, which Streamlit would send again with every run
+    stage/formulas.js         the stage's formulas, printed by SymPy
+    stage/texts.js            the stage's texts
+    components/language.js    the decimal mark
 """
 
 import json
@@ -25,18 +28,18 @@ from ramanujan.numerals import DECIMAL
 
 _HERE = Path(__file__).parent
 _MARKUP = {"turn": "steps"}
-"""Component → the one that has the same HTML and CSS."""
+"""Component → another component with the same HTML and CSS."""
 
 
 @cache
 def contents() -> dict[str, bytes]:
-    """Return path → content of all that the server offers: modules, the rules for all pages and their fonts."""
+    """Return path → content of all files: modules, style sheets of the pages, and fonts."""
     sheets = ("contrast", "page", "print", "projector", "type")
     patterns = ("**/*.js", *(f"components/{name}.css" for name in sheets), "**/*.woff2")
     offered = [path for pattern in patterns for path in sorted(_HERE.glob(pattern))]
     components = sorted(f"components/{path.stem}" for path in offered if path.match("components/*.js"))
     sentences = {**words.SENTENCES, **labels(), "slips": words.SLIPS, "bodies": words.BODIES}
-    written = {
+    generated = {
         "components/language.js": f'export const DECIMAL = "{DECIMAL}";',
         "markup.js": markup(["stage/stage", *components]),
         "stage/formulas.js": f"export const FORMULAS = {javascript(formulas())};",
@@ -44,23 +47,23 @@ def contents() -> dict[str, bytes]:
         f"export const LIGHT = {json.dumps(_light())};",
     }
     files = {path.relative_to(_HERE).as_posix(): path.read_bytes() for path in offered}
-    # On paper a component is drawn in the light theme, whichever is shown.
+    # Components are printed in the light theme.
     light = "".join(f"{name}: {color}; " for name, color in (_light() | {"--st-background-color": "#fff"}).items())
     files["components/print.css"] += f"#root .stBidiComponent {{ &, * {{ {light}}} }}".encode()
-    return files | {name: text.encode() for name, text in written.items()}
+    return files | {name: text.encode() for name, text in generated.items()}
 
 
 @cache
 def place() -> str:
-    """Return the address below which `contents` are offered, relative to the app's own."""
+    """Return the folder of `contents` in an address, relative to the app's address."""
     return f"modules/{sha256(repr(sorted(contents().items())).encode()).hexdigest()[:12]}"
 
 
 @cache
 def component(name: str) -> Callable[..., Any]:
-    """Return the component of a module, such as components/link: its script has begin.js load that module."""
-    # All have one script, so that a browser reads it once. It is short, since Streamlit sends it with every run of the
-    # page. Streamlit takes a script of one line for the name of a file.
+    """Return the component of a module, such as components/link. Its script loads the module by begin.js."""
+    # All components have the same script, so a browser parses it once. It is short, because Streamlit sends it with
+    # every run of the page. It has two lines, because Streamlit interprets a single line as the name of a file.
     begin = f'new URL("{place()}/begin.js", document.baseURI)'
     return st.components.v2.component(name, js=f"export default async (c) =>\n(await import({begin})).begin(c)")
 
@@ -79,7 +82,7 @@ def markup(names: Iterable[str], appended: str = "") -> str:
 
 
 def _markup(name: str, texts: dict[str, str], **parts: str) -> str:
-    """Return a component's style sheet and HTML, with texts and parts of HTML in its slots; either may be missing."""
+    """Return a component's style sheet and HTML, with its texts and HTML parts inserted; both files are optional."""
     style, html = (_text(_HERE / f"{name}.{kind}") for kind in ("css", "html"))
     html = html.format(**{slot: escape(text) for slot, text in texts.items()}, **parts)
     return f"<style>{style}</style>{html}" if style else html
@@ -88,15 +91,15 @@ def _markup(name: str, texts: dict[str, str], **parts: str) -> str:
 def _layer_boxes() -> str:
     """Return the tick boxes of the stage's layers as HTML."""
     return "".join(
-        f'<label data-layer="{layer}" title="{escape(what)}"><input type="checkbox" /> {escape(title)}</label>'
-        for layer, (title, what) in words.LAYERS.items()
+        f'<label data-layer="{layer}" title="{escape(description)}"><input type="checkbox" /> {escape(title)}</label>'
+        for layer, (title, description) in words.LAYERS.items()
     )
 
 
 def _light() -> dict[str, str]:
-    """Return the colours of the light theme that the stage uses, by Streamlit's names: saved pictures have them."""
+    """Return the stage's colours in the light theme by Streamlit's names, for saved pictures."""
     names = sorted(set(re.findall(r"var\((--st-(?!widget)[a-z-]*color)", _text(_HERE / "stage/stage.css"))))
-    options = {name: re.sub("-([a-z])", lambda found: found[1].upper(), name.removeprefix("--st-")) for name in names}
+    options = {name: re.sub("-([a-z])", lambda match: match[1].upper(), name.removeprefix("--st-")) for name in names}
     colors = {name: st.get_option(f"theme.light.{option}") for name, option in options.items()}
     return {name: color for name, color in colors.items() if color}
 

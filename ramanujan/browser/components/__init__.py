@@ -1,27 +1,34 @@
-"""The page's side: the components beside the machine, and everything that depends on Streamlit's and Plotly's pages.
+"""The components beside the machine, and all code that depends on the pages of Streamlit and Plotly.
 
-bus.js carries messages between the components, streamlit_dom.js holds every selector into the host pages, page.css
-every style rule for them. sentences.js fills the templates that Python sends and writes numbers, lasting.js ends with a
-component what it observes and waits for. The other files belong to one component each. No physics here.
+    bus.js              messages between the components
+    streamlit_dom.js    every selector into the pages of Streamlit and Plotly
+    page.css            every style rule for these pages
+    sentences.js        templates of sentences, and notation of numbers
+    lasting.js          observers and timers that end with their component
 
-Streamlit sends a component's HTML, CSS and script with every run of the page. So a component brings only two lines that
-import its module, which the server offers as a file (`ramanujan.browser.modules`).
+Every other file belongs to one component. No physics here.
 
-The topics of the bus, where NAME is the name of a stage:
+Streamlit sends a component's HTML, CSS and script with every run of the page. Therefore a component's script has only
+two lines. They import its module, which the server offers as a file (`ramanujan.browser.modules`).
 
-    machine/NAME      what `stage.payload` returns; published by the stage’s messages, forgotten when the page is left
-    time/NAME         {time [s], phase [rad], periods, playing}: published by the stage in every frame in which it
-                      changed; periods of the plain mass since both hands started together
-    story/NAME        how many seconds a period of the plain mass lasts while a story is told, during which the hands
-                      keep the angle between them; null ends it
-    drawn/NAME        {ratio, normalized, parameters}: ε, Ω²m/k and the machine that is drawn, also while a thumb moves
-    seek/NAME         {time [s]}: somebody asks the stage to go to that time and to stay there
-    seen/CLOCK        what is seen at the desk of a class, which the stages on this clock show, too: `stage.SEEN`, and
-                      ago, how long ago that was [s]
-    enter/KEY         a text that somebody else wants to be typed into the box of a slider
-    goal/KEY          a value that a slider’s thumb snaps to, published by the story while it is not told
-    exact/KEY         {value, text, judged}: what the box of a slider shows; published by the sidebar
-    say               {sentence, urgent}: news for the page's live region
+The topics of the bus, where NAME is the name of a stage, CLOCK of a clock, and KEY the key of a slider:
+
+    machine/NAME      the message of `stage.payload`; removed when the visitor leaves the page
+    time/NAME         {time [s], phase [rad], periods, playing}, published by the stage in every frame with a change;
+                      periods of the plain mass since both hands started together
+    story/NAME        seconds of a period of the plain mass during a story, in which the hands keep the angle between
+                      them; null ends the story
+    drawn/NAME        {ratio, normalized, parameters}: ε, Ω²m/k and the machine as drawn, also during a drag
+    seek/NAME         {time [s]}: a request to pause at this time
+    view/CLOCK        the view of a class's desk, for all stages on this clock: `stage.VIEW`, with `ago`, its age [s],
+                      and `own`, whether this page is the desk
+    enter/KEY         a text to enter into a slider's box
+    goal/KEY          a value to which a slider's thumb snaps, published by the story while it does not run
+    exact/KEY         {value, text, judged}: the value, text and number of processed inputs of a slider's box
+    announce          {sentence, urgent}: a sentence for the page's live region
+    turned            the new stop of a lesson
+    slides            {has(by)}: whether the projector has a slide so many slides further
+    sliders           a request to open the drawer with the sliders
 """
 
 import math
@@ -35,16 +42,16 @@ from ramanujan.translation import _, offered
 
 
 def mount_services(theme: str, waits: bool, on_moving: Callable[[], None]) -> bool:
-    """Mount the services that every page needs, before all else; return whether the page’s machine moves.
+    """Mount the services of every page, before all other elements. Return whether the page's machine moves.
 
-    These are the page’s one live region, which says what the topic `say` brings; a notice while the server is
-    away; the keyboard's access to boxes that scroll sideways; a new run of the page when the visitor switches the
-    theme, so that figures follow; and a ring that follows the first page's machine on a curve. A figure has the
-    ring if its layout's `meta` names the ring's colour; its axes are the mass ratio ε and Ω²m/k.
+    The services are: the page's live region for the topic `announce`; a notice while the server is away; keyboard
+    access to boxes that scroll sideways; a new run of the page after a switch of the theme, since the server draws the
+    figures; and a ring at the first page's machine on a curve. A figure has the ring if its layout's `meta` contains
+    the ring's colour; its axes are the mass ratio ε and Ω²m/k.
 
     Parameters
     ----------
-    theme : the one that this run draws with, light or dark
+    theme : theme of this run, light or dark
     waits : whether the page requests a second run once the machine of the first page has drawn its first frame
     on_moving : called before the second run
     """
@@ -60,32 +67,35 @@ def mount_services(theme: str, waits: bool, on_moving: Callable[[], None]) -> bo
 
 
 def publish(key: str, topics: Mapping[str, Any]) -> Any:
-    """Publish values on the bus of the page; after a change only these values are sent.
+    """Publish values on the bus of the page. After a change only these values are sent.
 
     Parameters
     ----------
-    key : of the element
-    topics : topic → value; a value that has not changed since the last run is not published again
+    key : Streamlit's key of the element
+    topics : topic → value; a value equal to that of the last run is not published again
     """
     return modules.component("components/publish")(key=key, data=dict(topics))
 
 
 def story(stage: str, slider: str, ratio: float, script: Mapping[str, Any], words: Mapping[str, str]) -> Any:
-    """Put a button on the page that tells a story: it moves a slider until a stage's machine is in step.
+    """Put a button on the page that starts a story: it moves a slider until a stage's machine is in step.
 
-    The page itself moves the slider, as a hand does, and sends the last value alone. Once the ratio has been found, by
-    the story or by hand, the page marks it on the slider.
+    The page moves the slider, and sends only the last value. As soon as the slider has reached the ratio, in the story
+    or by hand, the page marks it on the slider.
 
     Parameters
     ----------
-    stage : the name of the stage
+    stage : name of the stage
     slider : key of the slider of m′
     ratio : ε = m′/m of the machine in step
-    script : openings, each a list of scenes {sentence, ratios, periods}, the first of which that the slider can show is
-        taken; rest, the scenes that follow; pace, the seconds that a period of the plain mass lasts; stills, {label,
-        turns} of each clock for someone who asked for less motion; marked, whether the slider marks the ratio from the
-        start
-    words : ratio, a template for ε; there, what is said in step; mark, begin, again, stop, hint
+    script :
+        openings : lists of scenes {sentence, ratios, periods}; the first one in the slider's range is used
+        rest : the scenes that follow
+        pace : seconds of a period of the plain mass
+        stills : {label, turns} of each clock for a reader who prefers reduced motion
+        marked : whether the slider marks the ratio from the start
+    words : ratio, a template for ε; there, the sentence in step; stills, the sentence above the clocks; mark, begin,
+        again, stop, hint
     """
     return modules.component("components/story")(key="story", data=story_data(stage, slider, ratio, script, words))
 
@@ -93,55 +103,61 @@ def story(stage: str, slider: str, ratio: float, script: Mapping[str, Any], word
 def story_data(
     stage: str, slider: str, ratio: float, script: Mapping[str, Any], words: Mapping[str, str]
 ) -> dict[str, Any]:
-    """Return the data of the component `story`, with the same parameters."""
-    return {"stage": stage, "slider": slider, "ratio": ratio, "said": words, **script}
+    """Return the data of the component `story`. The parameters are the same."""
+    return {"stage": stage, "slider": slider, "ratio": ratio, "words": words, **script}
 
 
-def cubes(sums: Sequence[Sequence[int]], sees: Sequence[str], captions: Sequence[str]) -> Any:
-    """Put stacks of cubes of unit cubes on the page, side by side, which a hand turns and pulls apart.
+def cubes(sums: Sequence[Sequence[int]], alternatives: Sequence[str], captions: Sequence[str]) -> Any:
+    """Put stacks of cubes, made of unit cubes, side by side on the page. The reader can turn them and pull them apart.
 
     Parameters
     ----------
-    sums : of each stack the sides of its cubes, in unit cubes
-    sees, captions : of each stack its text alternative, and what stands below it
+    sums : for each stack, the sides of its cubes in unit cubes
+    alternatives, captions : for each stack, its text alternative and its caption
     """
-    said = {"sees": list(sees), "captions": list(captions), "words": {"degrees": _("{angle} degrees")}}
-    return modules.component("components/cubes")(key="cubes", data={"sums": [list(sides) for sides in sums], **said})
+    data = {
+        "sums": [list(sides) for sides in sums],
+        "alternatives": list(alternatives),
+        "captions": list(captions),
+        "words": {"degrees": _("{angle} degrees")},
+    }
+    return modules.component("components/cubes")(key="cubes", data=data)
 
 
 def cursor(stage: str) -> Any:
-    """Put the time cursor on the page: one moment, marked in every figure, moved without the server.
+    """Put the time cursor on the page: it marks one moment in every figure, and moves without the server.
 
-    A figure takes part by its layout's `meta`: cursor ("time": t runs to the right; "orbit": points at equal steps of
-    time), period [s] and periods, the number of them that it shows. The marks are computed from the figure's own data.
+    A figure takes part if its layout's `meta` contains: cursor, "time" (t is the horizontal axis) or "orbit" (points at
+    equal steps of time); period [s]; and periods, the number of periods in the figure. The marks are computed from the
+    figure's data.
 
     Parameters
     ----------
-    stage : the name of the stage that shares the cursor's clock
+    stage : name of the stage with the same clock
     """
     place = _("t = {time}, {periods} periods")
     return modules.component("components/cursor")(key="cursor", data={"stage": stage, "place": place})
 
 
 def moment(stage: str, time: float, label: str) -> Any:
-    """Put a button on the page that moves a stage and all figures against time to one moment and stops them there.
+    """Put a button on the page that pauses a stage and its time cursor at one moment.
 
     Parameters
     ----------
-    stage : the name of the stage
-    time : the moment, since release [s]
-    label : of the button
+    stage : name of the stage
+    time : time since release [s]
+    label : label of the button
     """
     return modules.component("components/moment")(key="moment", data={"stage": stage, "time": time, "label": label})
 
 
-def give_back(*keys: str) -> None:
-    """After a click on one of these widgets, return the keyboard focus to the page."""
+def return_focus(*keys: str) -> None:
+    """Return the keyboard focus to the page after each click on one of these widgets."""
     modules.component("components/keys")(key="keys", data={"choices": ", ".join(f".st-key-{key}" for key in keys)})
 
 
 def drawer() -> Any:
-    """Put a handle on the sidebar, which is a drawer at the bottom of a narrow screen; fingers can scroll it."""
+    """Put a handle on the sidebar, which is a drawer at the bottom of a narrow screen."""
     return modules.component("components/drawer")(key="handle")
 
 
@@ -150,12 +166,12 @@ STANDALONE_FILE = "ramanujans-oscillator.html"
 
 
 def link(private: Sequence[str], keys: Sequence[str]) -> Any:
-    """Put the menu *Share* on the page, and the choice of a language.
+    """Put the menu *Share* and the choice of a language on the page.
 
     Parameters
     ----------
-    private : keys of the address that are left out of a copied link
-    keys : keys of the address that the standalone file knows
+    private : keys of the address that a copied link omits
+    keys : keys of the address that the standalone file accepts
     """
     data = {
         "copied": _("Copied."),
@@ -174,40 +190,39 @@ def link(private: Sequence[str], keys: Sequence[str]) -> Any:
 def exact(key: str, head: Mapping[str, Any], on_typed: Callable[[str], None]) -> Any:
     """Put the heading of a slider on the page, with a box that shows its full value and accepts any text.
 
-    What changes comes by the topic exact/KEY: value, its full text, and judged, the number of texts that have been
-    answered so far.
+    The value arrives by the topic exact/KEY.
 
     Parameters
     ----------
-    key : of the slider
-    head : its symbol, unit and meaning; label and longest text of the box; default of the slider
-    on_typed : called with what was typed
+    key : key of the slider
+    head : its symbol, unit and meaning; label and maximum length of the box; default of the slider
+    on_typed : called with the typed text
     """
-    return asks("components/exact", f"{key}_exact", {"key": key, **head}, "typed", on_typed, "")
+    return mount("components/exact", f"{key}_exact", {"key": key, **head}, "typed", on_typed, "")
 
 
 def pick(figure: str, on_picked: Callable[[dict[str, float]], None]) -> Any:
-    """Call a function at every click on a point of a figure, also at a second click on the same point.
+    """Call a function after every click on a point of a figure, including a second click on the same point.
 
     Parameters
     ----------
     figure : key of the figure
     on_picked : called with the point's x and y, in the units of the axes
     """
-    return asks("components/pick", f"{figure}_pick", {"figure": figure}, "picked", on_picked, {"x": 0.0, "y": 0.0})
+    return mount("components/pick", f"{figure}_pick", {"figure": figure}, "picked", on_picked, {"x": 0.0, "y": 0.0})
 
 
 def steps(route: str, headings: Sequence[str], on_turned: Callable[[str, int], None], onward: bool) -> Any:
     """Show one step of a lecture at a time: the containers with the keys `step_1`, `step_2`, … inside `lecture`.
 
-    The lecture begins at the step that the address names, every further route at its first step.
+    The lecture begins at the step in the address; another route begins at its first step.
 
     Parameters
     ----------
     route : name of the route
-    headings : of the steps in their order, for screen readers
-    on_turned : called with the route and the step, some time after the last change
-    onward : whether the last step leads on to a link, in the container with this key
+    headings : headings of the steps in their order, for screen readers
+    on_turned : called with the route and the step, shortly after the last change
+    onward : whether the last step leads to a link, in the container with the key `onward`
     """
     data = {"route": route, "headings": list(headings), "onward": onward}
     data["place"] = _("Step {now} of {count}: {heading}")
@@ -215,7 +230,7 @@ def steps(route: str, headings: Sequence[str], on_turned: Callable[[str, int], N
     def act(at: dict[str, Any]) -> None:
         on_turned(at["route"], min(max(at["step"], 1), len(headings)))
 
-    return asks("components/steps", "lecture_turn", data, "at", act, {"route": route, "step": 1})
+    return mount("components/steps", "lecture_turn", data, "at", act, {"route": route, "step": 1})
 
 
 def turn(
@@ -224,63 +239,71 @@ def turn(
     on_turned: Callable[[int], None],
     clicker: bool = True,
     place: str = _("Stop {now} of {count}: {heading}"),
-    held: str = "",
+    refusal: str = "",
 ) -> Any:
     """Draw the control that turns the stops of a lesson; the server draws one stop at a time.
 
     Parameters
     ----------
-    headings : of the stops in their order and of the ending, which has no number; for screen readers
-    now : number of the stop that is drawn, from 1 on; one more at the ending
+    headings : headings of the stops in their order, and of the ending, which has no number; for screen readers
+    now : number of the present stop, counted from 1; one more at the ending
     on_turned : called with the number of the requested stop
-    clicker : whether the page keys turn stops, too
-    place : template of a screen reader's sentence on the present stop
-    held : changes when the server has refused a turn
+    clicker : whether the page keys also turn stops
+    place : template of a screen reader's sentence about the present stop
+    refusal : a text that changes when the server has refused a turn
     """
-    settings = {"place": place, "clicker": clicker, "held": held, "ending": True}
+    settings = {"place": place, "clicker": clicker, "refusal": refusal, "ending": True}
     data = {"headings": list(headings), "now": now, **settings}
-    return asks("components/turn", "turn", data, "to", lambda to: on_turned(min(max(to, 1), len(headings))), now)
+    return mount("components/turn", "turn", data, "to", lambda to: on_turned(min(max(to, 1), len(headings))), now)
 
 
 def pager(on_turned: Callable[[str], None]) -> Any:
-    """Show one slide of the page at a time, as a projector needs it, and put on the page what turns to the next.
+    """Show one slide of the page at a time, for a projector, and put the control that turns slides on the page.
 
-    A slide is a container with the key "slide-NAME"; its first node with `data-slide` says there what it shows.
+    A slide is a container with the key "slide-NAME". Its title is the attribute `data-slide` of a node in it.
 
     Parameters
     ----------
-    on_turned : called with the name of the slide some time after the last turn, with "" for the first one
+    on_turned : called with the name of the slide shortly after the last turn, with "" for the first slide
     """
-    return asks("components/pager", "pager", {"place": "{now} / {count}: {title}"}, "at", on_turned, "")
+    return mount("components/pager", "pager", {"place": "{now} / {count}: {title}"}, "at", on_turned, "")
 
 
 def stopwatch(key: str) -> float | None:
-    """Put a stopwatch on the page and return the time that it showed when it was last stopped [s].
+    """Put a stopwatch on the page. Return its last measured time [s], or None.
 
     Parameters
     ----------
-    key : of the element
+    key : Streamlit's key of the element
     """
     data = {"start": _("Start"), "stop": _("Stop"), "seconds": _("{seconds}\u202fs")}
     taken = modules.component("components/stopwatch")(key=key, data=data, on_seconds_change=lambda: None).seconds
     return taken if _is_like(taken, 0.0) else None
 
 
-def asks(name: str, key: str, data: Mapping[str, Any], event: str, act: Callable[[Any], None], example: Any) -> Any:
-    """Put a component on the page; a function is called with each value like the example that it sends by this event.
+def mount(name: str, key: str, data: Mapping[str, Any], event: str, act: Callable[[Any], None], example: Any) -> Any:
+    """Put a component on the page that sends values to the server.
 
-    What else comes, no page has sent.
+    Parameters
+    ----------
+    name : name of the component's module
+    key : Streamlit's key of the element
+    data : data of the component
+    event : name of the component's trigger or state
+    act : called with each value that has the type of the example; other values do not come from the page
+    example : an example of a value
     """
 
-    def sent() -> None:
-        if _is_like(value := getattr(st.session_state.get(key), event, None), example):
+    def receive() -> None:
+        value = getattr(st.session_state.get(key), event, None)
+        if _is_like(value, example):
             act(value)
 
-    return modules.component(name)(key=key, data=data, **{f"on_{event}_change": sent})
+    return modules.component(name)(key=key, data=data, **{f"on_{event}_change": receive})
 
 
 def _is_like(value: Any, example: Any) -> bool:
-    """Tell whether a value has the type of an example; a number is finite, and a whole one may stand for any."""
+    """Whether a value has the type of an example. A float may be an integer, and must be finite."""
     if isinstance(example, dict):
         return isinstance(value, dict) and all(_is_like(value.get(name), each) for name, each in example.items())
     if isinstance(example, float):

@@ -1,8 +1,8 @@
-// The page's bus: one module publishes a value under a topic, and others subscribe to it. If one listener fails, the others are
-// still called.
+// The page's message bus: a module publishes a value under a topic, and other modules subscribe to the topic. An exception in one
+// listener does not affect the others. __init__.py lists the topics.
 
 class Bus extends EventTarget {
-  #values = new Map(); // topic → owner → value; the last one holds
+  #values = new Map(); // topic → owner → value; the last value is valid
 
   publish(topic, value, owner = this) {
     const values = this.#values.get(topic) ?? new Map();
@@ -11,7 +11,7 @@ class Bus extends EventTarget {
     this.dispatchEvent(new CustomEvent(topic, { detail: value }));
   }
 
-  /** Call the listener with the last value, if there is one, and with every later one until the signal aborts. */
+  /** Call the listener with the last value, if any, and with every later value until the signal aborts. */
   subscribe(topic, listener, { signal } = {}) {
     if (signal?.aborted) return;
     this.addEventListener(topic, ({ detail }) => listener(detail), { signal });
@@ -22,7 +22,7 @@ class Bus extends EventTarget {
     return [...(this.#values.get(topic)?.values() ?? [])].at(-1);
   }
 
-  /** Forget what an owner published. A page can hold one component twice for a moment, so the value of the other one stays. */
+  /** Remove an owner's value. A component can be on the page twice for a moment, so the other owner's value stays. */
   forget(topic, owner = this) {
     const values = this.#values.get(topic);
     values?.delete(owner);

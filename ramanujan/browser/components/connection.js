@@ -1,8 +1,8 @@
-// Says at once that the server is away and that nothing is lost. Streamlit itself only disables its widgets until the server
-// is back, or covers the page with a box that asks for the internet (page.css hides it).
+// Shows a notice while the page has no connection to the server. Streamlit itself only disables its widgets, or covers the page
+// with a box that asks about the internet connection (page.css hides it).
 //
-// A class's wall looks for news twice a second. A busy server can lose what makes Streamlit's page look again
-// (streamlit#9921), and nobody stands at a wall to reload it: one on which nothing has run for LONGEST ms is loaded anew.
+// The wall of a class reruns twice a second. On a busy server these reruns can stop (streamlit#9921), and nobody is at the wall
+// to reload the page. Therefore a wall without a run for LONGEST ms reloads itself.
 
 import { bus } from "./bus.js";
 import { atRest } from "./lasting.js";
@@ -14,15 +14,18 @@ export default function ({ data, parentElement }, signal) {
   const notice = parentElement.querySelector(".away");
   notice.textContent = data.away;
   let connected = true;
-  const act = () => (connected && dom.isIdleWall() && !document.hidden ? location.reload() : stalled());
-  const stalled = atRest(LONGEST, act, signal);
-  stalled();
+  const reloadIdleWall = () => {
+    if (connected && dom.isIdleWall() && !document.hidden) location.reload();
+    else restartTimer();
+  };
+  const restartTimer = atRest(LONGEST, reloadIdleWall, signal);
+  restartTimer();
   dom.watchConnection((isConnected) => {
     connected = isConnected;
-    stalled();
-    const told = !notice.hidden;
+    restartTimer();
+    const wasAway = !notice.hidden;
     notice.hidden = isConnected;
     document.documentElement.toggleAttribute("data-offline", !isConnected);
-    if (!isConnected && !told) bus.publish("say", { sentence: data.away, urgent: true });
+    if (!isConnected && !wasAway) bus.publish("announce", { sentence: data.away, urgent: true });
   }, signal);
 }

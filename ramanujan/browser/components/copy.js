@@ -1,16 +1,17 @@
-// Copies a formula once, as its LaTeX: KaTeX's page holds each formula twice, for the eye and for screen readers.
+// Copies a formula as its LaTeX. KaTeX writes each formula twice into the page, as HTML and as MathML, and a plain copy
+// contains both.
 
 import { dom } from "./streamlit_dom.js";
 
 const IS_PLAIN = /^[^\\{}^_&]*$/;
-const COLOR = /\\textcolor\{#\w+\}/g; // the page's own, and not LaTeX
+const COLOR = /\\textcolor\{#\w+\}/g; // KaTeX's own command, not standard LaTeX
 
 /** Copy a selection that contains formulas. */
 export default function copy(event) {
   const selection = getSelection();
   if (event.defaultPrevented || selection.isCollapsed || !selection.rangeCount) return;
   const range = selection.getRangeAt(0).cloneRange();
-  // A selection that cuts a formula takes all of it.
+  // Extend the selection to whole formulas.
   const [first, last] = [range.startContainer, range.endContainer].map(dom.formulaOf);
   if (first) range.setStartBefore(first);
   if (last) range.setEndAfter(last);
@@ -18,8 +19,8 @@ export default function copy(event) {
   holder.append(range.cloneContents());
   const formulas = dom.formulas(holder);
   if (!formulas.length) return;
-  for (const formula of formulas) formula.replaceWith(written(dom.source(formula)));
-  // Only what is laid out has lines.
+  for (const formula of formulas) formula.replaceWith(asText(dom.source(formula)));
+  // innerText contains line breaks only for an element with a layout.
   Object.assign(holder.style, { position: "fixed", opacity: 0 });
   document.body.append(holder);
   event.clipboardData.setData("text/plain", holder.innerText);
@@ -28,8 +29,8 @@ export default function copy(event) {
   event.preventDefault();
 }
 
-/** A formula as text: plain where its LaTeX is plain, otherwise between the dollars that LaTeX and Markdown read. */
-function written({ latex, isDisplayed }) {
+/** Return a formula as text: plain if its LaTeX is plain, otherwise between dollar signs, as in LaTeX and Markdown. */
+function asText({ latex, isDisplayed }) {
   const text = latex.replace(COLOR, "");
   if (IS_PLAIN.test(text)) return text;
   return isDisplayed ? `$$${text}$$` : `$${text}$`;

@@ -1,18 +1,19 @@
-// Stacks of cubes that a hand turns and a reader counts: SVG, drawn anew for each direction, on paper as on the screen.
+// Stacks of cubes as SVG. The reader turns them by a slider or a drag; each direction is a new drawing.
 
 import { fill } from "./sentences.js";
 import { element, set } from "../stage/svg.js";
 
-const EYE = [0.85, 0.42]; // how far beside the middle, and how far above it, the eye is
+const EYE = [0.85, 0.42]; // position of the eye: to the side of the centre, and above it
 const TILT = Math.atan2(EYE[1], EYE[0]);
 const EDGE = 10; // length of a unit cube's edge in the picture
-const APART = 2; // the gap between two cubes, in unit cubes
+const SPACING = 2; // the gap between two cubes, in unit cubes
 const GAP = 0.5; // the gap between two layers that are pulled apart, in unit cubes
-const DEGREES = Math.PI / 180, BY_PIXEL = 0.5; // degrees for each pixel of a drag
+const DEGREES = Math.PI / 180;
+const DEGREES_PER_PIXEL = 0.5; // of a drag
 
 /**
- * The visible faces of cubes side by side, the farthest first: { cube, face, outline, grid, layers, rise }. Each is drawn
- * once and repeated so many `layers` high, each time by `rise` higher. `turn` [degrees] says from where one looks.
+ * Return the visible faces of cubes side by side, the farthest first: { cube, face, outline, grid, layers, rise }. A face is
+ * repeated once per layer, each time shifted by `rise`. `turn` [degrees] is the direction of view.
  */
 export function faces(sides, apart, turn) {
   const angle = turn * DEGREES, [x, y, z] = [[1, 0, 0], [0, 1, 0], [0, 0, 1]];
@@ -24,7 +25,7 @@ export function faces(sides, apart, turn) {
   let start = 0;
   const cubes = sides.map((side, cube) => {
     const corner = [start, Math.floor((Math.max(...sides) - side) / 2), 0], high = apart ? 1 : side;
-    start += side + APART;
+    start += side + SPACING;
     const near = (edge) => (dot(edge, [Math.cos(angle), Math.sin(angle), 0]) > 0 ? add(corner, edge, side) : corner);
     const drawn = [
       ["x", near(x), y, z, side, high],
@@ -45,27 +46,28 @@ export function faces(sides, apart, turn) {
   return (Math.cos(angle) > 0 ? cubes : cubes.reverse()).flat();
 }
 
-/** The picture's greatest height over all directions: with this room, nothing below the picture moves. */
+/** The largest height of the picture over all directions. With this height reserved, nothing below the picture moves. */
 const tallest = (sides, apart, wide) => {
   const most = Math.max(...sides), high = most * (apart ? 1 + GAP : 1);
   return EDGE * (high * Math.cos(TILT) + Math.hypot(wide, most) * Math.sin(TILT) + 1);
 };
 
-export default function ({ data: { sums, sees, captions, words }, parentElement: root }, signal) {
+export default function ({ data: { sums, alternatives, captions, words }, parentElement: root }, signal) {
   const [box, slider] = root.querySelectorAll("input");
   const widest = Math.max(...sums.flatMap((sides) => sides.reduce((sum, side) => sum + side)));
   const pictures = sums.map((sides, i) => {
-    const figure = document.createElement("figure"), svg = element("svg", { role: "img", "aria-label": sees[i] }, figure);
+    const figure = document.createElement("figure"), label = alternatives[i];
+    const svg = element("svg", { role: "img", "aria-label": label }, figure);
     figure.append(Object.assign(document.createElement("figcaption"), { textContent: captions[i] }));
     root.querySelector(".stacks").append(figure);
     svg.addEventListener("pointerdown", (event) => svg.setPointerCapture(event.pointerId), { signal });
     svg.addEventListener("pointermove", (event) => {
-      if (event.buttons) turnTo((Number(slider.value) + BY_PIXEL * event.movementX + 360) % 360);
+      if (event.buttons) turnTo((Number(slider.value) + DEGREES_PER_PIXEL * event.movementX + 360) % 360);
     }, { signal });
     return [sides, svg];
   });
   const draw = () => {
-    const high = Math.max(...sums.map((sides) => tallest(sides, box.checked, widest + APART)));
+    const high = Math.max(...sums.map((sides) => tallest(sides, box.checked, widest + SPACING)));
     for (const [sides, svg] of pictures) {
       const layers = new Map();
       for (const { cube, face, outline, grid, layers: count, rise } of faces(sides, box.checked, Number(slider.value)))
@@ -77,7 +79,7 @@ export default function ({ data: { sums, sees, captions, words }, parentElement:
           element("path", { class: "grid", d: grid }, group);
         }
       svg.replaceChildren(...layers.values());
-      const { x, y, width, height } = svg.getBBox(), room = EDGE * (widest + APART + 2);
+      const { x, y, width, height } = svg.getBBox(), room = EDGE * (widest + SPACING + 2);
       set(svg, { viewBox: `${x + (width - room) / 2} ${y + (height - high) / 2} ${room} ${high}` });
     }
     slider.ariaValueText = fill(words.degrees, { angle: slider.value });
@@ -88,7 +90,7 @@ export default function ({ data: { sums, sees, captions, words }, parentElement:
   };
   box.addEventListener("change", draw, { signal });
   slider.addEventListener("input", draw, { signal });
-  // A hidden element has no size, so the stacks are drawn when they are shown.
+  // A hidden element has no size, so draw the stacks again when they become visible.
   const shown = new ResizeObserver(draw);
   shown.observe(root.querySelector(".stacks"));
   signal.addEventListener("abort", () => shown.disconnect());

@@ -1,7 +1,6 @@
-// The time cursor on the page: a line across every figure over time, a dot on every orbit. The contract with the figures
-// is in __init__.py. Cursor and stage are one clock: where the stage is, the cursor is (topic time/NAME), and where a hand puts
-// the cursor, the stage goes (topic seek/NAME). A hand moves it by the slider, by the line itself, or by a click on a figure
-// over time.
+// The time cursor: a line across every figure over time, and a dot on every orbit. `cursor` in __init__.py documents the figures.
+// The cursor follows the stage (topic time/NAME), and the stage follows the cursor (topic seek/NAME). The reader moves the cursor
+// by the slider, by dragging the line, or by a click on a figure over time.
 
 import { bus } from "./bus.js";
 import { dom } from "./streamlit_dom.js";
@@ -9,12 +8,12 @@ import { along, area, draw, erase } from "./marks.js";
 import { fill, fixed, withUnit } from "./sentences.js";
 
 const CURSOR = "time-cursor";
-const STILL = 5; // px that a click may move
+const STILL = 5; // px, the largest movement of a click
 
 export default ({ data, parentElement }, signal) => void new Cursor(parentElement, data, signal);
 
 class Cursor {
-  share = 0; // of the time shown; it stays when the machine changes
+  share = 0; // of the time span; unchanged when the machine changes
   graphs = new Set();
 
   constructor(root, { stage, place }, signal) {
@@ -32,7 +31,7 @@ class Cursor {
     signal.addEventListener("abort", () => this.graphs.forEach((graph) => erase(graph, CURSOR)));
   }
 
-  /** The time [s] that the figures show. */
+  /** The time span of the figures [s]. */
   get span() {
     return this.meta.period * this.meta.periods;
   }

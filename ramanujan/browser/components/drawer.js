@@ -1,22 +1,22 @@
-// On a narrow screen the sidebar is a drawer at the bottom (page.css): this is its handle, which opens and closes it. With the
-// drawer open, sliders and machine are seen together; choosing a page closes it.
+// The handle of the sidebar on a narrow screen, where the sidebar is a drawer at the bottom (page.css). An open drawer leaves the
+// machine visible; the choice of another page closes it.
 
 import { bus } from "./bus.js";
 import { dom } from "./streamlit_dom.js";
 
-const PULL = 16; // px that the handle must be pulled to open or close the drawer; less is a tap
+const PULL = 16; // px, the shortest pull that opens or closes the drawer; a shorter one is a tap
 
 export default function ({ parentElement }, signal) {
   const button = parentElement.querySelector("button");
   const root = document.documentElement;
   const narrow = matchMedia(dom.NARROW);
-  let back = null; // where the page was scrolled to before the drawer brought the machine into view
-  let pulled = null;
+  let back = null; // scroll position before the drawer scrolled to the machine
+  let pullStart = null;
 
-  const set = (open, bring = true) => {
+  const set = (open, scrolls = true) => {
     root.dataset.drawer = open ? "open" : "closed";
     button.setAttribute("aria-expanded", String(open));
-    if (!bring || !narrow.matches) return;
+    if (!scrolls || !narrow.matches) return;
     const main = dom.main();
     if (open) {
       back = main?.scrollTop ?? null;
@@ -27,17 +27,17 @@ export default function ({ parentElement }, signal) {
       back = null;
     }
   };
-  // A page opens with its drawer closed: people want to read first.
+  // A page begins with a closed drawer, so that the text is visible.
   set(false, false);
   bus.subscribe("sliders", () => set(true), { signal });
   const on = (node, type, handler, options = {}) => node.addEventListener(type, handler, { ...options, signal });
-  on(button, "pointerdown", (event) => (pulled = event.clientY));
+  on(button, "pointerdown", (event) => (pullStart = event.clientY));
   on(button, "pointerup", (event) => {
-    const by = pulled === null ? 0 : event.clientY - pulled;
-    pulled = null;
+    const by = pullStart === null ? 0 : event.clientY - pullStart;
+    pullStart = null;
     if (Math.abs(by) < PULL) return;
     set(by < 0);
-    button.dataset.pulled = "yes"; // the click that follows is part of the pull
+    button.dataset.pulled = "yes"; // ignore the click that follows a pull
   });
   on(button, "click", () => {
     if (!button.dataset.pulled) set(root.dataset.drawer !== "open");

@@ -1,16 +1,17 @@
-// Gives the arrow keys back to the page after a click on a choice, so that they turn the steps of a lecture again. Somebody
-// who chooses by keyboard needs the arrow keys at the choice, so there they stay.
+// Returns the focus from a clicked choice to the page, so that the arrow keys turn the steps of a lecture again. A choice that is
+// operated by keyboard keeps the focus, because it needs the arrow keys.
 
 export default function ({ data }, signal) {
-  const giveBack = ({ detail, target }) => {
-    // A click that a key made has no detail. After such a click the focus has to stay.
+  const returnFocus = ({ detail, target }) => {
+    // A click by keyboard has the detail 0.
     if (!detail) return;
-    // A group may give the focus back to the button that had it before the click. An open menu keeps it until one has chosen.
+    // Wait, because a group may move the focus after the click. An open menu keeps the focus until an option is chosen.
     setTimeout(() => {
-      const held = document.activeElement, ready = held.ariaExpanded !== "true" || target.closest?.('[role="option"]');
-      if (ready && held.closest(data.choices)) held.blur();
+      const focused = document.activeElement;
+      const isDone = focused.ariaExpanded !== "true" || target.closest?.('[role="option"]');
+      if (isDone && focused.closest(data.choices)) focused.blur();
     });
   };
-  // In the capture phase, because the choices stop their clicks.
-  document.addEventListener("click", giveBack, { capture: true, signal });
+  // Capture, because the choices stop the propagation of their clicks.
+  document.addEventListener("click", returnFocus, { capture: true, signal });
 }

@@ -1,4 +1,4 @@
-// A button that takes a stage, and with it every figure over time, to one instant and holds them there.
+// A button that pauses a stage, and with it the time cursor in all figures, at one moment.
 
 import { bus } from "./bus.js";
 import { dom } from "./streamlit_dom.js";

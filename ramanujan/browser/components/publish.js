@@ -1,4 +1,4 @@
-// Publishes on the bus what Python sends: topics and their values. When the element leaves the page, the bus forgets them.
+// Publishes topics and values from Python on the bus. When the element leaves the page, the values are removed.
 
 import { bus } from "./bus.js";
 

@@ -1,5 +1,5 @@
-// The ring around the present machine on a curve. It follows the stage by the topic drawn/NAME; the contract with the
-// figure is in __init__.py.
+// The ring around the present machine on a curve. It follows the stage's topic drawn/NAME. `mount_services` in __init__.py
+// documents the figure.
 
 import { bus } from "./bus.js";
 import { dom } from "./streamlit_dom.js";

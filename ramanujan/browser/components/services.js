@@ -1,4 +1,4 @@
-// Mounts the services that every page needs.
+// Starts the services of every page; `mount_services` in __init__.py lists them.
 
 import arrival from "./arrival.js";
 import connection from "./connection.js";
@@ -12,11 +12,11 @@ import touch from "./touch.js";
 import translated from "./translated.js";
 import voice from "./voice.js";
 
-// On the screen a figure is as wide as the page. For printing it is scaled to the width of the paper (A4: 180 mm).
+// On the screen a figure has the width of the page. For printing, print.css scales it to the width of the paper (A4: 180 mm).
 const fitPaper = () => document.documentElement.style.setProperty("--printed", Math.min(1, 660 / dom.contentWidth()));
 window.addEventListener("beforeprint", fitPaper);
 window.addEventListener("copy", copy);
-dom.keepOneEntry();
+dom.limitHistory();
 dom.watchGraphs(dom.offerFormats, new AbortController().signal);
 if (new URLSearchParams(location.search).get("view") === "projector") import("./pager.js");
 

@@ -1,5 +1,5 @@
-// Writes the value above a slider's thumb with the decimal mark of the server's language and a true minus sign. Streamlit writes a
-// point, or the mark of the browser's own language.
+// Writes the value above a slider's thumb with the decimal mark of the server's language and a minus sign (−). Streamlit writes a
+// point, or the decimal mark of the browser's language.
 
 import { DECIMAL } from "./language.js";
 import { dom } from "./streamlit_dom.js";

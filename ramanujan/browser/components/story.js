@@ -1,98 +1,138 @@
-// The story of the first page: one press moves the slider of m′ as a hand does, from heavy rollers to the mass ratio at which
-// both hands turn together, and then sends the exact value. The scenes come from Python; the stage's clock tells how far the
-// story is. Any touch or key takes over: the slider stays where it is and sends its value.
+// The story of the first page. It moves the slider of m′ from heavy rollers to the mass ratio at which both hands stay together,
+// and then sends the exact value. The scenes come from Python; the stage's clock (topic time/NAME) measures the progress. Any
+// touch or key ends the story: the slider stays at its value and sends it.
 
 import { bus } from "./bus.js";
 import { dom } from "./streamlit_dom.js";
 import { fill, fixed } from "./sentences.js";
 
-const SAME = 1e-12; // relative: the floats of ε* lie closer
-let found = false; // whether the ratio has been found since the page was loaded: only then does the slider mark it
-let ended = false; // whether the story has been told to its end
+const SAME = 1e-12; // relative; the rounding errors of ε* are smaller
+let isReached = false; // whether the slider has reached the ratio since the page was loaded; then the ratio is marked
+let isCompleted = false; // whether a story has been completed since the page was loaded
 
-export default function ({ data, parentElement }, signal) {
-  const { stage, slider, ratio, openings, rest, pace, stills: clocks, marked, said } = data;
-  const find = (selector) => parentElement.querySelector(selector);
-  const button = find("button"), output = find(".said"), stills = find(".stills");
-  const calm = matchMedia("(prefers-reduced-motion: reduce)");
-  let scenes = null; // of the story that is being told
-  let machine = null; // m′ and m [kg] as they are drawn
-  let before = 0; // how far the story was a frame ago
-  const goal = () => ratio * machine.m;
-  found ||= marked;
-  const still = ({ label, turns }) => `<li>
-    <svg viewBox="-56 -56 112 112" aria-hidden="true"><circle r="52" /><line y2="-38" class="plain" />
-    <line y2="-48" transform="rotate(${360 * turns})" /></svg>${label}</li>`;
-  find("ol").innerHTML = clocks.map(still).join("");
+export default ({ data, parentElement }, signal) => void new Story(data, parentElement, signal);
 
-  // Streamlit may draw the slider later.
-  const mark = () => found && (dom.markSlider(slider, goal(), said.mark) || signal.aborted || requestAnimationFrame(mark));
-  const say = (sentence) => {
-    if (output.textContent === sentence) return;
-    output.textContent = sentence;
-    bus.publish("say", { sentence, urgent: false });
-  };
-  const tell = (story) => {
-    scenes = story;
-    bus.publish(`story/${stage}`, story && pace);
-    bus.publish(`goal/${slider}`, null);
-    button.textContent = story ? said.stop : ended ? said.again : said.begin;
-  };
-  const finish = () => {
-    found = ended = true;
-    tell(null);
-    say(said.there);
-    bus.publish(`enter/${slider}`, String(goal()));
-  };
-  /** Stop where the slider is. */
-  const yieldTo = () => {
-    tell(null);
-    dom.sendSlider(dom.slider(slider), Number(dom.slider(slider).value));
-  };
-  const begin = () => {
-    const input = dom.slider(slider);
+class Story {
+  scenes = null; // of the running story
+  machine = null; // parameters of the drawn machine
+  before = 0; // progress at the last frame, in periods
+
+  constructor(data, root, signal) {
+    const find = (selector) => root.querySelector(selector);
+    Object.assign(this, { data, signal, button: find("button"), output: find(".sentence"), stills: find(".stills") });
+    this.calm = matchMedia("(prefers-reduced-motion: reduce)");
+    isReached ||= data.marked;
+    this.button.title = data.words.hint;
+    find(".stills p").textContent = data.words.stills;
+    find("ol").innerHTML = data.stills.map(clockFace).join("");
+    this.listen();
+  }
+
+  listen() {
+    const { data: { stage, slider }, button, signal } = this;
+    button.addEventListener("click", () => (this.scenes ? this.stop() : this.begin()));
+    const isPress = (event) => event.composedPath().includes(button) && [undefined, " ", "Enter"].includes(event.key);
+    const interrupt = (event) => this.scenes && !isPress(event) && this.stop();
+    for (const type of ["pointerdown", "keydown"]) addEventListener(type, interrupt, { capture: true, signal });
+    this.calm.addEventListener("change", () => this.scenes && this.begin(), { signal });
+    signal.addEventListener("abort", () => {
+      bus.forget(`goal/${slider}`);
+      if (this.scenes) bus.publish(`story/${stage}`, null);
+    });
+    bus.subscribe(`time/${stage}`, ({ periods }) => this.scenes && this.goTo(periods), { signal });
+    bus.subscribe(`drawn/${stage}`, (drawn) => this.follow(drawn), { signal });
+  }
+
+  /** The value of m′ [kg] at which the drawn machine is in step. */
+  get goal() {
+    return this.data.ratio * this.machine.m;
+  }
+
+  begin() {
+    const { data: { slider, openings, rest }, machine, calm } = this, input = dom.slider(slider);
     if (!machine || !input || input.disabled) return;
-    stills.hidden = !calm.matches;
-    if (calm.matches) return finish();
-    const story = [...openings.find(([{ ratios }]) => ratios[0] * machine.m <= input.max), ...rest];
-    dom.moveSlider(input, story[0].ratios[0] * machine.m);
-    before = 0;
-    tell(story);
-  };
-  /** Show the story as it is after so many periods of the plain mass. */
-  const goTo = (now) => {
-    const periods = now + Math.max(0, now - before) / 2; // this ratio holds for the next frame: take that of its middle
-    let begun = 0;
-    before = now;
-    const scene = scenes.find((each) => periods < (begun += each.periods));
-    if (!scene) return finish();
-    const { ratios, sentence } = scene, at = (1 - (begun - periods) / scene.periods) * (ratios.length - 1), i = Math.floor(at);
-    dom.moveSlider(dom.slider(slider), (ratios[i] + (at - i) * (ratios[i + 1] - ratios[i])) * machine.m);
-    say(sentence);
-  };
+    this.stills.hidden = !calm.matches;
+    if (calm.matches) return this.complete();
+    const opening = openings.find(([{ ratios }]) => ratios[0] * machine.m <= input.max);
+    const scenes = [...opening, ...rest];
+    dom.moveSlider(input, scenes[0].ratios[0] * machine.m);
+    this.before = 0;
+    this.setScenes(scenes);
+  }
 
-  button.addEventListener("click", () => (scenes ? yieldTo() : begin()));
-  const presses = (event) => event.composedPath().includes(button) && [undefined, " ", "Enter"].includes(event.key);
-  const touched = (event) => scenes && !presses(event) && yieldTo();
-  for (const type of ["pointerdown", "keydown"]) addEventListener(type, touched, { capture: true, signal });
-  calm.addEventListener("change", () => scenes && begin(), { signal });
-  signal.addEventListener("abort", () => {
-    bus.forget(`goal/${slider}`);
-    if (scenes) bus.publish(`story/${stage}`, null);
-  });
-  bus.subscribe(`time/${stage}`, ({ periods }) => scenes && goTo(periods), { signal });
-  bus.subscribe(`drawn/${stage}`, ({ ratio: present, parameters }) => {
-    machine = parameters;
-    if (scenes) return;
-    const there = Math.abs(present / ratio - 1) < SAME;
-    bus.publish(`goal/${slider}`, goal());
-    if (there && !found) bus.publish("say", { sentence: said.there, urgent: false });
-    found ||= there;
-    output.textContent = there ? said.there : fill(said.ratio, { ratio: fixed(present, 4) });
-    output.classList.toggle("there", there);
-    button.textContent = ended ? said.again : said.begin;
-    mark();
-  }, { signal });
-  button.title = said.hint;
-  find(".stills p").textContent = said.stills;
+  /** End the story at the slider's present value. */
+  stop() {
+    const input = dom.slider(this.data.slider);
+    this.setScenes(null);
+    dom.sendSlider(input, Number(input.value));
+  }
+
+  /** End the story at the goal. */
+  complete() {
+    isReached = isCompleted = true;
+    this.setScenes(null);
+    this.show(this.data.words.there);
+    bus.publish(`enter/${this.data.slider}`, String(this.goal));
+  }
+
+  setScenes(scenes) {
+    const { stage, slider, pace, words } = this.data;
+    this.scenes = scenes;
+    bus.publish(`story/${stage}`, scenes && pace);
+    bus.publish(`goal/${slider}`, null);
+    this.button.textContent = scenes ? words.stop : this.startLabel();
+  }
+
+  /** Show the story at its progress in periods of the plain mass. */
+  goTo(now) {
+    const periods = now + Math.max(0, now - this.before) / 2; // the middle of the next frame, which this ratio applies to
+    let end = 0;
+    this.before = now;
+    const scene = this.scenes.find((each) => periods < (end += each.periods));
+    if (!scene) return this.complete();
+    const share = 1 - (end - periods) / scene.periods;
+    dom.moveSlider(dom.slider(this.data.slider), between(scene.ratios, share) * this.machine.m);
+    this.show(scene.sentence);
+  }
+
+  /** Follow the drawn machine while no story runs. */
+  follow({ ratio, parameters }) {
+    this.machine = parameters;
+    if (this.scenes) return;
+    const { words, slider } = this.data, isInStep = Math.abs(ratio / this.data.ratio - 1) < SAME;
+    bus.publish(`goal/${slider}`, this.goal);
+    if (isInStep && !isReached) bus.publish("announce", { sentence: words.there, urgent: false });
+    isReached ||= isInStep;
+    this.output.textContent = isInStep ? words.there : fill(words.ratio, { ratio: fixed(ratio, 4) });
+    this.output.classList.toggle("there", isInStep);
+    this.button.textContent = this.startLabel();
+    this.mark();
+  }
+
+  /** Mark the goal on the slider. Streamlit may draw the slider later, so try again in the next frame. */
+  mark() {
+    if (!isReached || dom.markSlider(this.data.slider, this.goal, this.data.words.mark) || this.signal.aborted) return;
+    requestAnimationFrame(() => this.mark());
+  }
+
+  show(sentence) {
+    if (this.output.textContent === sentence) return;
+    this.output.textContent = sentence;
+    bus.publish("announce", { sentence, urgent: false });
+  }
+
+  startLabel() {
+    return isCompleted ? this.data.words.again : this.data.words.begin;
+  }
 }
+
+/** Interpolate linearly between equidistant values, at a share of their range. */
+function between(values, share) {
+  const at = share * (values.length - 1), i = Math.floor(at);
+  return values[i] + (at - i) * (values[i + 1] - values[i]);
+}
+
+/** A clock with both hands, as HTML. */
+const clockFace = ({ label, turns }) => `<li>
+  <svg viewBox="-56 -56 112 112" aria-hidden="true"><circle r="52" /><line y2="-38" class="plain" />
+  <line y2="-48" transform="rotate(${360 * turns})" /></svg>${label}</li>`;

@@ -1,6 +1,6 @@
-// What the app assumes about the pages of Streamlit and Plotly: every selector into them stands in this file. If an assumption
-// breaks, the function that relies on it returns null, false or nothing, and its feature does nothing.
-// tests/scripts/assumptions.js says what each assumption is for, and .github/upgrading.md how to move to another Streamlit.
+// All selectors into the pages of Streamlit and Plotly. If an assumption about these pages fails, the function that relies on it
+// returns null, false or nothing, and its feature has no effect.
+// tests/scripts/assumptions.js explains each assumption; .github/upgrading.md explains how to upgrade Streamlit.
 
 import { observe } from "./lasting.js";
 
@@ -117,39 +117,39 @@ export const dom = {
   },
 
   /**
-   * Keep one entry of the history for whatever a person asks for. Streamlit adds one for every value that its server writes
-   * into the address (streamlit#9279). The way back to another page would take several steps, some with a mixture of two
-   * machines.
+   * Add at most one entry to the browser's history per action of the reader. Streamlit adds one for every value that its server
+   * writes into the address (streamlit#9279). The way back to another page would then have several steps, some with a mixture
+   * of two machines.
    */
-  keepOneEntry() {
-    let asked = false;
-    // A screen reader clicks without pointer and key.
-    for (const type of ["pointerdown", "keydown", "click"]) addEventListener(type, () => (asked = true), { capture: true });
+  limitHistory() {
+    let hasActed = false;
+    // A screen reader can click without a pointer or a key.
+    for (const type of ["pointerdown", "keydown", "click"]) addEventListener(type, () => (hasActed = true), { capture: true });
     const push = history.pushState.bind(history);
     history.pushState = (...entry) => {
-      asked ? push(...entry) : history.replaceState(...entry);
-      asked = false;
+      hasActed ? push(...entry) : history.replaceState(...entry);
+      hasActed = false;
     };
   },
 
-  /** Whether the server runs the page. */
+  /** Whether the server runs the page's script. */
   isRunning: () => !document.querySelector("[data-test-script-state=notRunning]"),
 
-  /** Call a listener whenever the server begins or ends a run of the page. */
+  /** Call a listener at the begin and the end of each run of the page's script. */
   watchRuns: (listener, signal) =>
     observe(document.querySelector("[data-testid=stApp]"), { attributeFilter: ["data-test-script-state"] }, listener, signal),
 
-  /** Whether this page is a class's wall, on which nothing runs. */
+  /** Whether this page is the wall of a class without a running script. */
   isIdleWall: () => Boolean(document.querySelector("[data-test-script-state=notRunning] .st-key-class_wall")),
 
-  /** Tell a listener, at every change and every run, whether the page can reach its server. */
+  /** Call a listener at every run and every change of the connection, with whether the page is connected to the server. */
   watchConnection(listener, signal) {
     const app = document.querySelector("[data-testid=stApp]");
-    const tell = () => listener(app.dataset.testConnectionState === "CONNECTED");
-    if (app) observe(app, { attributeFilter: ["data-test-connection-state", "data-test-script-state"] }, tell, signal);
+    const call = () => listener(app.dataset.testConnectionState === "CONNECTED");
+    if (app) observe(app, { attributeFilter: ["data-test-connection-state", "data-test-script-state"] }, call, signal);
   },
 
-  /** A colour of the theme, as Streamlit gives it to a component. */
+  /** A colour of the theme, which Streamlit provides to components. */
   color: (parentElement, name) =>
     getComputedStyle(parentElement.host ?? parentElement).getPropertyValue(`--st-${name}-color`).trim(),
 
@@ -157,12 +157,12 @@ export const dom = {
   theme: (parentElement) => getComputedStyle(parentElement.host ?? parentElement).colorScheme.match(/^(light|dark)$/)?.[0],
 
   /**
-   * Call a listener with one of Plotly's graphs, which carries its `layout`, after each of its drawings, and with every graph
-   * that comes, until the signal aborts. Streamlit does not say when it loads a figure, so this function observes the page.
+   * Call a listener with each Plotly graph on the page, now or later, after each of its drawings, until the signal aborts. A
+   * graph has its `layout` as a property. Streamlit has no event for a new figure, so this function observes the page.
    */
   watchGraphs(listener, signal) {
     const known = new WeakSet();
-    const look = () => {
+    const connect = () => {
       for (const graph of document.querySelectorAll(".js-plotly-plot")) {
         if (!graph.on || known.has(graph)) continue;
         const drawn = () => signal.aborted || listener(graph);
@@ -171,11 +171,11 @@ export const dom = {
         if (graph.layout) drawn();
       }
     };
-    observe(document.body, { childList: true, subtree: true }, look, signal);
-    look();
+    observe(document.body, { childList: true, subtree: true }, connect, signal);
+    connect();
   },
 
-  /** Plotly's button saves a graph in one format, SVG: put another beside it, for PNG. */
+  /** Add a button for PNG beside Plotly's button, which saves a graph as SVG. */
   offerFormats(graph) {
     const svg = graph.querySelector(SAVE);
     if (!svg || svg.nextSibling?.textContent) return;
@@ -193,7 +193,7 @@ export const dom = {
     }
   },
 
-  /** The curves of a graph, with their numbers in arrays, however these were sent. */
+  /** The curves of a graph, with decoded arrays of numbers. */
   curves: (graph) => graph._fullData,
 
   /** The graph that contains a node. */
@@ -205,21 +205,21 @@ export const dom = {
   /** Whether a node is the rectangle over a panel. */
   isPanel: (node) => node.matches?.(".nsewdrag") ?? false,
 
-  /** What needs the arrow and page keys for itself when it has the focus, and what needs the space bar. */
+  /** Selectors of the elements that use the arrow and page keys, or the space bar, while they have the focus. */
   TAKES_KEYS: `input:not([type=button], [type=checkbox]), textarea, select, [contenteditable=true], .stage, [data-scrolls],
     [role=slider], [role=radio], [role=tab], [role=listbox], [role=option], [role=toolbar] *`,
   TAKES_SPACE: `input, textarea, select, button, summary, a[href], [contenteditable=true], .stage, [role=slider], [role=radio],
     [role=tab], [role=button], [role=option]`,
 
-  /** What may be wider than its place: formulas, paragraphs with formulas, tables and their boxes. */
+  /** The elements that may be too wide: formulas, paragraphs with formulas, tables and their boxes. */
   boxes: () => [...document.querySelectorAll(".stMarkdown :is(.katex-display, table, p:has(.katex)), [class*='st-key-table_']")],
 
   /** Whether a box can be scrolled sideways. */
   scrollsAside: (box) => box.scrollWidth > box.clientWidth && /auto|scroll/.test(getComputedStyle(box).overflowX),
 
-  /** The box in which a lecture's steps are drawn. */
+  /** The container of a lecture's steps. */
   lecture: () => document.querySelector(".st-key-lecture"),
-  /** The link to which the last step of a lecture leads. */
+  /** The link after the last step of a lecture. */
   onward: () => document.querySelector(".st-key-lecture .st-key-onward a"),
 
   /** Exclude formulas, figures and codes from translation. */
@@ -228,31 +228,35 @@ export const dom = {
     for (const node of nodes) node.translate = false;
   },
 
-  /** The formulas in a node; the formula that contains a node; its LaTeX, and whether it has lines of its own. */
+  /** The formulas in a node. */
   formulas: (node) => [...node.querySelectorAll(".katex")],
+  /** The formula that contains a node. */
   formulaOf: (node) => (node.closest ? node : node.parentElement)?.closest(".katex-display, .katex"),
+  /** The LaTeX of a formula, and whether it is displayed on its own line. */
   source: (formula) => ({
     latex: formula.querySelector("annotation").textContent,
     isDisplayed: formula.querySelector("math").getAttribute("display") === "block",
   }),
 
-  /** Whether a node is part of a formula; the coloured term that contains it; a rule that lights all terms of a colour. */
+  /** Whether a node is part of a formula. */
   isFormula: (node) => Boolean(node.closest?.(".katex")),
+  /** The coloured term of a formula that contains a node. */
   term: (node) => node.closest?.(".katex [style*='color']"),
+  /** A style rule that highlights all terms of a colour. */
   termRule: (color) => `.katex [style*="${color}"] { -webkit-text-stroke: .04em; text-shadow: 0 0 .4em; }`,
 
-  /** Whether a good part of a node is on the screen. */
+  /** Whether more than 30 % of a node's height, or of the window's if smaller, is on the screen. */
   inView(node) {
     const box = node?.getBoundingClientRect();
     if (!box?.height || !node.checkVisibility({ visibilityProperty: true })) return false;
-    const seen = Math.min(box.bottom, innerHeight) - Math.max(box.top, 0);
-    return seen > 0.3 * Math.min(box.height, innerHeight);
+    const visible = Math.min(box.bottom, innerHeight) - Math.max(box.top, 0);
+    return visible > 0.3 * Math.min(box.height, innerHeight);
   },
 
-  /** Where the sidebar is a drawer; page.css says the same. */
+  /** The media query for the sidebar as a drawer, as in page.css. */
   NARROW: "(max-width: 999px)",
 
-  /** The slides of a projector that the page declares, in their order; a title may come a moment later. */
+  /** The slides of the page in their order. Streamlit may draw a slide's title later. */
   slides: () =>
     [...document.querySelectorAll("[class*='st-key-slide-']")].map((node) => ({
       node,
@@ -260,35 +264,35 @@ export const dom = {
       title: node.querySelector("[data-slide]")?.dataset.slide,
     })),
 
-  /** Whether a slide of a projector, or a table on it, shows less than all of its content. */
+  /** Whether the content of a slide, or of a table on it, exceeds its box. */
   overflows: (slide) =>
     [slide, ...[...slide.children].filter(dom.hasFigure)].some((box) => box.scrollHeight > box.clientHeight + 1) ||
     [slide, ...slide.querySelectorAll("[class*='st-key-table_']")].some(dom.scrollsAside),
-  /** The factor by which formulas of a slide have to shrink so that all fit into their boxes, at most 1. */
+  /** The scale, at most 1, at which all formulas of a slide fit into their boxes. */
   formulaSize: (slide) =>
     [...slide.querySelectorAll(".katex-display")]
       .filter(dom.scrollsAside)
       .reduce((size, { scrollWidth, clientWidth }) => Math.min(size, (0.95 * clientWidth) / scrollWidth), 1),
-  /** Whether a slide has a figure, which needs the room that words leave. */
+  /** Whether a slide has a figure, which fills the space beside the text. */
   hasFigure: (slide) => Boolean(slide.querySelector(".stPlotlyChart")),
 
-  /** How wide the content of a page is at most. */
+  /** The width of the page's content. */
   contentWidth: () => document.querySelector(".stMainBlockContainer > *")?.clientWidth || innerWidth,
 
-  /** The element that scrolls. */
+  /** The element that scrolls the page. */
   main: () => document.querySelector("[data-testid=stMain]"),
 
-  /** How far the page must scroll until its stage stands at the top, below the bar of pages; 0 where it has no stage. */
+  /** The scroll distance until the stage is at the top, below the bar of pages; 0 without a stage. */
   stageAway: () => (document.querySelector("[class*=st-key-stage]")?.getBoundingClientRect().top ?? 56) - 56,
 
   isPageLink: (node) => Boolean(node.closest?.("[data-testid=stSidebarNavLink], [data-testid=stPageLink] a")),
 
-  /** Bring the name of the present page into view in the bar of pages. */
+  /** Scroll the bar of pages to the name of the present page. */
   showPresentPage() {
     const link = document.querySelector("[data-testid=stSidebarNavLink][aria-current=page]");
     link?.scrollIntoView({ block: "nearest", inline: "center" });
   },
 
-  /** Whether a node belongs to the part of a Streamlit slider that answers to the pointer. */
+  /** Whether a node is part of the draggable area of a Streamlit slider. */
   isSliderTrack: (node) => Boolean(node.closest?.("[data-testid=stSlider] [role=group]")),
 };

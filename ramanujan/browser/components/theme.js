@@ -1,37 +1,37 @@
-// Gives page.css the theme's colours, which only components get from Streamlit. After a switch of the theme it asks for a run of
-// the page, since figures take their colours on the server.
+// Sets the theme's colours for page.css; Streamlit provides them only to components. After a switch of the theme it requests a
+// rerun of the page, because the server draws the figures.
 
 import { dom } from "./streamlit_dom.js";
 
-const PAUSE = 400; // ms until the question, since Streamlit's own messages learn of the new theme later than its components
+const PAUSE = 400; // ms until the request, because a rerun right after the switch still has the old theme
 const COLORS = {
   paper: "background", under: "secondary-background", faint: "border", primary: "primary",
   gray: "gray", orange: "orange", blue: "blue", green: "green", violet: "violet", red: "red",
 };
-const TIMES = 5; // that a switch is asked about: a server that does not follow is not asked for ever
+const ATTEMPTS = 5; // largest number of requests after a switch
 
 export default function (component, signal) {
-  let timer = 0, asked = 0;
-  const ask = () => {
-    const seen = dom.theme(component.parentElement);
-    if (!seen || seen === component.data.theme || asked >= TIMES) return;
-    asked += 1;
-    component.setTriggerValue("switched", `${seen} ${asked}`);
-    timer = setTimeout(ask, 4 * PAUSE);
+  let timer = 0, attempts = 0;
+  const requestRerun = () => {
+    const theme = dom.theme(component.parentElement);
+    if (!theme || theme === component.data.theme || attempts >= ATTEMPTS) return;
+    attempts += 1;
+    component.setTriggerValue("switched", `${theme} ${attempts}`);
+    timer = setTimeout(requestRerun, 4 * PAUSE);
   };
   signal.addEventListener("abort", () => clearTimeout(timer));
   return () => {
     document.documentElement.dataset.theme = component.data.theme;
-    // When a page has been drawn its colours are known; to ask earlier would style all of it once more.
-    requestAnimationFrame(() => setTimeout(giveColors, 0, component.parentElement));
-    asked = 0;
+    // Read the colours after the page has been drawn; reading them earlier would compute all styles twice.
+    requestAnimationFrame(() => setTimeout(setColors, 0, component.parentElement));
+    attempts = 0;
     clearTimeout(timer);
-    timer = setTimeout(ask, PAUSE);
+    timer = setTimeout(requestRerun, PAUSE);
   };
 }
 
-function giveColors(parentElement) {
-  // The loop reads all colours before it sets the first, for the same reason.
-  const colors = Object.entries(COLORS).map(([name, its]) => [`--${name}`, dom.color(parentElement, its)]);
+function setColors(parentElement) {
+  // Read all colours before setting the first, for the same reason.
+  const colors = Object.entries(COLORS).map(([name, streamlitName]) => [`--${name}`, dom.color(parentElement, streamlitName)]);
   for (const each of colors) document.documentElement.style.setProperty(...each);
 }

@@ -1,11 +1,11 @@
-// Keeps a page current that the browser has translated. Chrome's and Edge's translators put a <font> in the place of each text.
-// React still changes and removes the text that it has drawn, which is no longer on the page: the old translation would stay.
-// Here such a text replaces its translation as soon as it changes; the translator then translates it again.
+// Updates a page that the browser has translated. The translators of Chrome and Edge replace each text by a <font>. React still
+// changes the text that it has drawn, which is no longer on the page, so the old translation would remain. Here a changed text
+// replaces its translation, and the translator translates it again.
 
 import { observe } from "./lasting.js";
 import { dom } from "./streamlit_dom.js";
 
-const translations = new WeakMap(); // a text, or an earlier translation → the <font> in its place
+const translations = new WeakMap(); // a text, or an earlier translation → the <font> that replaced it
 
 function restore(text) {
   if (text.isConnected) return;
@@ -16,7 +16,7 @@ function restore(text) {
 
 const changes = new MutationObserver((records) => records.forEach(({ target }) => restore(target)));
 
-function note({ removedNodes, addedNodes, previousSibling, nextSibling }) {
+function recordTranslation({ removedNodes, addedNodes, previousSibling, nextSibling }) {
   const font = [...addedNodes, previousSibling, nextSibling].find((node) => node?.nodeName === "FONT");
   if (!font) return;
   for (const node of removedNodes) {
@@ -26,7 +26,7 @@ function note({ removedNodes, addedNodes, previousSibling, nextSibling }) {
   }
 }
 
-// React removes a text, or inserts before it, without a look at where it is.
+// React removes a text, or inserts before it, without checking its parent.
 for (const method of ["removeChild", "insertBefore"]) {
   const act = Node.prototype[method];
   Node.prototype[method] = function (...nodes) {
@@ -37,10 +37,10 @@ for (const method of ["removeChild", "insertBefore"]) {
 }
 
 export default function (component, signal) {
-  const look = (records) => {
+  const update = (records) => {
     dom.keepFromTranslation();
-    records.forEach(note);
+    records.forEach(recordTranslation);
   };
-  observe(document.body, { childList: true, subtree: true }, look, signal);
+  observe(document.body, { childList: true, subtree: true }, update, signal);
   dom.keepFromTranslation();
 }

@@ -1,22 +1,22 @@
-// Shared by the components that turn something by buttons, a slider and keys.
+// The common part of steps.js, turn.js and pager.js: turning by buttons, a slider and keys.
 
 import { bus } from "./bus.js";
 import { fill } from "./sentences.js";
 import { dom } from "./streamlit_dom.js";
 
-/** How far a key turns by this table, 0 if it is not meant for turning. */
+/** The number of steps that a key turns by this table; 0 for any other key. */
 export const turnOf = (event, table) =>
   event.defaultPrevented || event.ctrlKey || event.altKey || event.metaKey ? 0 : table[event.key] ?? 0;
 
 const KEYS = { ArrowRight: 1, PageDown: 1, " ": 1, ArrowLeft: -1, PageUp: -1 };
 
-/** The buttons and the slider of steps.html: what they turn is numbered from 1 on, and has headings. */
+/** The buttons and the slider of steps.html. The steps are counted from 1 and have headings. */
 export class Turner {
   now = 0;
 
   /**
-   * `moves`: the slider's event that turns; `turns(event, by)`: whether a key may turn that far; `turned(to)` hears of it;
-   * `onward()`: the link to which the last one leads, where the component's data say so.
+   * `moves`: the slider's event that turns. `turns(event, by)`: whether a key may turn by this number of steps. `turned(to)` is
+   * called after a turn. `onward()`: the link after the last step, if any.
    */
   constructor(component, signal, { moves, turns, turned, onward }) {
     const root = component.parentElement;
@@ -28,13 +28,13 @@ export class Turner {
     const press = (event) => {
       const space = event.key === " ", by = turnOf(event, KEYS) * (space && event.shiftKey ? -1 : 1);
       if (!by || event.composedPath()[0].matches?.(space ? dom.TAKES_SPACE : dom.TAKES_KEYS) || !turns(event, by)) return;
-      // At the end the space bar must not scroll the page, either.
+      // The space bar must not scroll the page at the last step.
       if (this.go(this.now + by) || space) event.preventDefault();
     };
     document.addEventListener("keydown", press, { signal });
   }
 
-  /** Go somewhere, and return whether there was anything to go to. */
+  /** Go to a step. Return whether there is such a step. */
   go(wanted) {
     const to = Math.min(Math.max(wanted, 1), this.component.data.headings.length);
     if (to === this.now) {
@@ -42,12 +42,12 @@ export class Turner {
       return false;
     }
     this.show(to);
-    bus.publish("say", { sentence: this.slider.ariaValueText, urgent: true });
+    bus.publish("announce", { sentence: this.slider.ariaValueText, urgent: true });
     this.turned(to);
     return true;
   }
 
-  /** Show where one is. */
+  /** Update the control. */
   show(now) {
     const { headings, place, onward, ending } = this.component.data, last = headings.length;
     const heading = headings[now - 1], isEnding = ending && now === last;

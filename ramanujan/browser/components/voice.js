@@ -1,23 +1,23 @@
-// The one live region of a page: it says one sentence, once, when things have come to rest after a change. What happened by
-// itself (urgent) comes before a description of what a person has just set.
+// The live region of a page. It announces one sentence after a pause without new sentences. An event (`urgent`) takes precedence
+// over a description of the reader's own change.
 
 import { bus } from "./bus.js";
 import { atRest } from "./lasting.js";
 
-const REST = 500; // ms without news before a sentence is said
+const PAUSE = 500; // ms without a new sentence before one is announced
 
 export default function ({ parentElement }, signal) {
   const region = parentElement.querySelector("[role=status]");
   let next = null;
-  const soon = atRest(REST, () => {
-    // The same words again are news, too; a screen reader hears only what changes.
+  const soon = atRest(PAUSE, () => {
+    // A screen reader announces only changes, so clear the region before repeating a sentence.
     if (region.textContent === next.sentence) region.textContent = "";
     region.textContent = next.sentence;
     next = null;
-    bus.forget("say");
+    bus.forget("announce");
   }, signal);
-  bus.subscribe("say", (news) => {
-    if (!next?.urgent || news.urgent) next = news;
+  bus.subscribe("announce", (announcement) => {
+    if (!next?.urgent || announcement.urgent) next = announcement;
     soon();
   }, { signal });
 }

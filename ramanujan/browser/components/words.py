@@ -1,4 +1,4 @@
-"""The texts for the slots of the components' HTML; what the components say besides comes with their data."""
+"""The texts for the slots of the components' HTML. Other texts are part of the components' data."""
 
 from ramanujan.translation import _, pgettext
 

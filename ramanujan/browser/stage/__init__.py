@@ -15,13 +15,13 @@ and JavaScript modules:
 
 No physics is written in JavaScript.
 
-The stage is mounted with constant arguments, so Streamlit sends it once per session. After a change only a small message
-with the numbers is sent (`publish`).
+The stage is mounted with constant arguments, so Streamlit sends it once per session. After a change only a small
+message with the numbers is sent (`publish`).
 
 Constant data, sent once:
 
     stage           name of the stage; its topics on the bus contain it
-    limits          compression: smallest and largest x₀ to which the slab can be dragged [m]; equal limits fix the slab
+    limits          compression: smallest and largest x₀ of a drag [m]; equal limits fix the slab
     watch           slider key → {parameter, scale, step}; value times scale is the parameter in SI units
     clock           name of the clock; stages with the same clock run and pause together
     layers          the members of `LAYERS` that are shown first

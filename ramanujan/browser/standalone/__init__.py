@@ -1,11 +1,11 @@
 """The first page as one HTML file that needs no server: `python -m ramanujan.browser.standalone > oscillator.html`.
 
-The file contains the app's own modules, unchanged: a browser finds them through an import map, in which each module is
-a `data:` address. page.js keeps the values of the sliders, as the server does in the app; curve.js draws the curve. The
-file makes no request, and its content security policy forbids any.
+The file contains the app's modules. An import map assigns a `data:` address to each of them. page.js stores the values
+of the sliders, in place of the server; curve.js draws the curve. The file makes no request, and its content security
+policy forbids requests.
 
-The machine of the file comes from the address after `#`, with the names of the app's address, or from the attribute
-`data-standalone`, which the app fills when a visitor saves the file.
+The settings of the machine follow `#` in the address, with the same names as in the app. Without them the attribute
+`data-standalone` contains the settings; the app writes it when a visitor saves the file.
 """
 
 import json
@@ -36,15 +36,15 @@ from ramanujan.translation import LANGUAGE, _
 
 _HERE = Path(__file__).parent
 _MARKUP = ("stage/stage", "components/exact", "components/story")
-"""Components of the page; each has a module, and HTML with a style sheet."""
+"""The components of the page; each has a module, HTML and a style sheet."""
 _SLIDERS = ("m_prime", "m", "k", "compression")
 _IMPORT = re.compile(r"""(from |import |import\()(["`])(\.{1,2}/[^"`]+)""")
 _PLACEHOLDER = "w"
-"""A letter that no formula contains."""
+"""A letter that occurs in no formula."""
 _SIGN = re.compile("(<mrow>|<mo>&#x0003D;</mo>|<mtext>&#x000A0;</mtext>)<mo>&#x02212;</mo>")
 """A minus sign without a left operand."""
 _CAPITAL = re.compile("<mi>(&#x003A[0-9];)")
-"""A capital Greek letter, upright as in KaTeX."""
+"""A capital Greek letter, which is upright in KaTeX."""
 _COMMENT = re.compile(r"^\s*//.*\n", re.MULTILINE)
 
 
@@ -79,26 +79,27 @@ def _imports() -> dict[str, str]:
     """Return name → `data:` address of each module that the page needs."""
     contents = {name: content.decode() for name, content in modules.contents().items() if name.endswith(".js")}
     contents["markup.js"] = modules.markup(_MARKUP, f"<style>{_contrast()}</style>")
-    names = ["standalone/page.js", *(f"{name}.js" for name in _MARKUP)]
+    waiting = ["standalone/page.js", *(f"{name}.js" for name in _MARKUP)]
     addresses = {}
-    while names:
-        name = names.pop()
+    while waiting:
+        name = waiting.pop()
         if f"ramanujan/{name}" in addresses:
             continue
         script = _COMMENT.sub("", contents[name])
-        names += [each for each in (_resolved(name, found[2]) for found in _IMPORT.findall(script)) if each in contents]
-        addresses[f"ramanujan/{name}"] = _address(_IMPORT.sub(lambda each, name=name: _absolute(name, each), script))
+        imported = [_resolved(name, path) for _start, _mark, path in _IMPORT.findall(script)]
+        waiting += [each for each in imported if each in contents]
+        addresses[f"ramanujan/{name}"] = _address(_IMPORT.sub(lambda match, name=name: _absolute(name, match), script))
     return addresses
 
 
-def _absolute(name: str, found: re.Match[str]) -> str:
-    """Return an import of a module with an absolute name: a module in a `data:` address has no folder."""
-    start, mark, path = found.groups()
+def _absolute(name: str, match: re.Match[str]) -> str:
+    """Return an import with an absolute name, because a module with a `data:` address has no folder."""
+    start, mark, path = match.groups()
     return f"{start}{mark}ramanujan/{_resolved(name, path)}"
 
 
 def _resolved(name: str, path: str) -> str:
-    """Return the name of a module from the path by which another module imports it."""
+    """Return the name of the module at a path relative to another module."""
     return posixpath.normpath(posixpath.join(posixpath.dirname(name), path))
 
 
@@ -108,7 +109,7 @@ def _address(script: str) -> str:
 
 
 def _policy(*scripts: str) -> str:
-    """Return the content security policy: these scripts, the modules in the file, and no request."""
+    """Return the content security policy: it allows these scripts and the modules in the file, but no requests."""
     hashes = " ".join(f"'sha256-{b64encode(sha256(script.encode()).digest()).decode()}'" for script in scripts)
     return (
         f"default-src 'none'; script-src data: {hashes}; style-src 'unsafe-inline'; font-src data:; "
@@ -132,15 +133,15 @@ def _settings() -> dict[str, Any]:
 
 
 def _parameter(parameter: Parameter) -> dict[str, Any]:
-    """Return the range of a parameter, the head of its box, and the sentence about a wrong address."""
+    """Return the range of a parameter, the heading of its box, and the message about an invalid address."""
     names = ("symbol", "unit", "least", "most", "default", "step", "scale", "label")
-    facts = {name: getattr(parameter, name) for name in names}
+    attributes = {name: getattr(parameter, name) for name in names}
     head = widgets.head(parameter) | {"key": parameter.name} if parameter.name in _SLIDERS else None
-    return {"key": parameter.name, **facts, "head": head, "ignored": parameter.message()}
+    return {"key": parameter.name, **attributes, "head": head, "ignored": parameter.message()}
 
 
 def _curve() -> dict[str, Any]:
-    """Return the range of the curve, its limits, its marked ratios, and its words."""
+    """Return the range of the curve, its limits, its marked ratios, and its labels."""
     curve = first_page.curve()
     light, heavy = limit_labels(curve)
     words = {
@@ -165,18 +166,18 @@ def _steps() -> Iterator[str]:
 
 
 def _bold(text: str) -> str:
-    """Return a text with Markdown's bold words as HTML."""
+    """Convert bold words from Markdown to HTML."""
     return re.sub(r"\*\*(.*?)\*\*", r"<b>\1</b>", escape(text))
 
 
 def _with_formulas(text: str) -> str:
-    """Return a text with its formulas in MathML."""
+    """Convert the formulas of a text to MathML."""
     parts = text.split("$")
-    return "".join(_mathml(part) if place % 2 else escape(part) for place, part in enumerate(parts))
+    return "".join(_mathml(part) if i % 2 else escape(part) for i, part in enumerate(parts))
 
 
 def _mathml(latex: str) -> str:
-    """Return a formula as MathML, with large fractions; the converter would split m′."""
+    """Return a formula as MathML, with large fractions. A placeholder replaces m′, which the converter would split."""
     converted = convert(latex.replace(r"\frac", r"\dfrac").replace("m'", _PLACEHOLDER))
     converted = converted.replace(f"<mi>{_PLACEHOLDER}</mi>", "<mi>𝑚′</mi>")
     converted = converted.replace("<mo>/</mo>", '<mo lspace="0" rspace="0">/</mo>')
@@ -188,7 +189,7 @@ def _style() -> str:
     """Return the style sheet with the colours of both themes and the fonts in it."""
     contents = modules.contents()
     rules = re.findall(r"@font-face \{.*?\n\}", contents["components/page.css"].decode(), re.DOTALL)
-    fonts = re.sub(r"url\(fonts/(.*?)\)", lambda found: _font(contents[f"standalone/{found[1]}"]), "\n".join(rules))
+    fonts = re.sub(r"url\(fonts/(.*?)\)", lambda match: _font(contents[f"standalone/{match[1]}"]), "\n".join(rules))
     light, dark = (f":root {{ {_colors(theme)} }}" for theme in ("light", "dark"))
     themes = f"{light}\n@media (prefers-color-scheme: dark) {{ {dark} }}"
     return "\n".join([fonts, themes, _page_css(), _contrast()])
@@ -206,7 +207,7 @@ def _font(content: bytes) -> str:
 def _colors(theme: str) -> str:
     """Return a theme's colours as custom properties with Streamlit's names."""
     options = sorted(set(re.findall(r"--st-([a-z-]+-color)", modules.contents()["markup.js"].decode() + _page_css())))
-    named = {name: re.sub("-([a-z])", lambda found: found[1].upper(), name) for name in options}
+    named = {name: re.sub("-([a-z])", lambda match: match[1].upper(), name) for name in options}
     colors = {name: st.get_option(f"theme.{theme}.{option}") for name, option in named.items() if "widget" not in name}
     colors["widget-border-color"] = colors["border-color"]
     return " ".join(f"--st-{name}: {color};" for name, color in colors.items() if color)

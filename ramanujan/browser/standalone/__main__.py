@@ -8,7 +8,7 @@ from ramanujan.translation import LANGUAGE, known
 
 
 def main() -> None:
-    """Print the file in a language; a process has one language, so another one needs a process of its own."""
+    """Print the file in a language. A process has one language, so another language requires another process."""
     parser = argparse.ArgumentParser(prog="python -m ramanujan.browser.standalone", description=__doc__)
     parser.add_argument("--language", choices=known(), default=LANGUAGE, help="the language of the file")
     language = parser.parse_args().language

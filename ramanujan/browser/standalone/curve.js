@@ -1,4 +1,4 @@
-// Draws Ω²m/k over the mass ratio as SVG: the curve, its limits, the two marked machines, and a ring at the present one.
+// Draws Ω²m/k as a function of the mass ratio, as SVG: the curve, its limits, two marked machines, and a ring at the present one.
 
 import { bus } from "../components/bus.js";
 import { DECIMAL } from "../components/language.js";
@@ -7,7 +7,7 @@ import { FORMULAS } from "../stage/formulas.js";
 const BOX = { left: 48, right: 628, top: 12, bottom: 290 };
 const TICKS = { x: [0.01, 0.1, 1, 10], y: [0, 0.5, 1, 1.5] };
 const POINTS = 240;
-const NEAR = 0.02; // relative: a click this near to a marked ratio takes the ratio itself
+const NEAR = 0.02; // relative distance at which a click selects a marked ratio
 
 /** Draw the curve; `pick` is called with the mass ratio of a click. */
 export function drawCurve(svg, { range, light, heavy, equal, unit, words, shape }, pick) {
@@ -16,23 +16,23 @@ export function drawCurve(svg, { range, light, heavy, equal, unit, words, shape 
   const y = (value) => BOX.bottom - (value / top) * (BOX.bottom - BOX.top);
   const value = (ratio) => FORMULAS.normalized_frequency_squared({ ...shape, m: 1, m_prime: ratio });
   const ratios = Array.from({ length: POINTS + 1 }, (_, i) => least * (most / least) ** (i / POINTS));
-  const path = (chosen, height) => `M${chosen.map((ratio) => `${x(ratio).toFixed(2)} ${y(height(ratio)).toFixed(2)}`).join("L")}`;
+  const path = (some, height) => `M${some.map((ratio) => `${x(ratio).toFixed(2)} ${y(height(ratio)).toFixed(2)}`).join("L")}`;
 
   const add = (name, attributes, text = "") => {
     const node = document.createElementNS("http://www.w3.org/2000/svg", name);
-    for (const [key, given] of Object.entries(attributes)) node.setAttribute(key, given);
+    for (const [key, attribute] of Object.entries(attributes)) node.setAttribute(key, attribute);
     node.textContent = text;
     svg.append(node);
     return node;
   };
-  const written = (number) => String(number).replace(".", DECIMAL);
+  const withMark = (number) => String(number).replace(".", DECIMAL);
   for (const ratio of TICKS.x) {
     add("line", { class: "grid", x1: x(ratio), x2: x(ratio), y1: BOX.top, y2: BOX.bottom });
-    add("text", { class: "axis", x: x(ratio), y: BOX.bottom + 16 }, written(ratio));
+    add("text", { class: "axis", x: x(ratio), y: BOX.bottom + 16 }, withMark(ratio));
   }
   for (const height of TICKS.y) {
     add("line", { class: "grid", x1: BOX.left, x2: BOX.right, y1: y(height), y2: y(height) });
-    add("text", { class: "scale", x: BOX.left - 6, y: y(height) + 4 }, written(height));
+    add("text", { class: "scale", x: BOX.left - 6, y: y(height) + 4 }, withMark(height));
   }
   add("text", { class: "axis", x: (BOX.left + BOX.right) / 2, y: BOX.bottom + 34 }, words.axis);
   add("text", { x: 4, y: BOX.top + 2 }, "Ω²m/k");

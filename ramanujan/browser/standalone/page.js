@@ -1,5 +1,5 @@
-// The standalone page: it keeps the values of the sliders, as the server does in the app, and publishes the machine that they
-// make. Sliders, boxes, story and stage are the app's own modules.
+// The standalone page. It stores the values of the sliders, in place of the server, and publishes the machine. The boxes, the
+// story and the stage are modules of the app.
 
 import { begin } from "../begin.js";
 import { bus } from "../components/bus.js";
@@ -14,9 +14,9 @@ const settings = JSON.parse(document.querySelector("#settings").textContent);
 const { parameters, sentences } = settings;
 const values = {}, inputs = {}, published = new Map();
 const note = document.querySelector(".note"), live = document.querySelector("[role=status]");
-let judged = 0; // texts that have been read so far: a box shows its value again when this changes
+let judged = 0; // number of processed texts; a box shows its value again when it changes
 
-const written = (value, { unit }) => withUnit(String(Number(value.toPrecision(7))).replace(".", DECIMAL), unit);
+const asText = (value, { unit }) => withUnit(String(Number(value.toPrecision(7))).replace(".", DECIMAL), unit);
 const isInRange = (value, { least, most }) => value >= least && value <= most;
 
 function publish(topic, value) {
@@ -32,7 +32,7 @@ function publishAll() {
   for (const { key } of parameters) publish(`exact/${key}`, { value: values[key], text: String(values[key]), judged });
 }
 
-/** Set values, and show a sentence about them. */
+/** Set values, and show a message. */
 function set(changes, sentence = "") {
   Object.assign(values, changes);
   for (const [key, value] of Object.entries(changes)) {
@@ -43,30 +43,30 @@ function set(changes, sentence = "") {
   publishAll();
 }
 
-/** Take a typed text, or say which numbers are accepted and that the old value was kept. */
-function take(parameter, text) {
+/** Set a parameter from a text, or show which numbers are accepted and keep the old value. */
+function setFromText(parameter, text) {
   const { key, symbol, least, most } = parameter, value = readNumber(text), readings = twoReadings(text);
-  const old = written(values[key], parameter);
+  const old = asText(values[key], parameter);
   judged += 1;
   if (value === null) return set({}, fill(sentences.unreadable, { symbol, old }));
   if (readings) return set({}, fill(sentences.ambiguous, { text, decimal: readings[0], whole: readings[1], old }));
   if (isInRange(value, parameter)) return set({ [key]: value });
-  const limits = { least: written(least, { unit: "" }).trim(), most: written(most, parameter) };
+  const limits = { least: asText(least, { unit: "" }).trim(), most: asText(most, parameter) };
   set({}, fill(sentences.outside, { symbol, old, ...limits }));
 }
 
-/** Build the machine with a mass ratio: change m′, and m where m′ has no room. */
-function takeRatio(ratio) {
+/** Set the mass ratio: change m′, and also m if m′ would be outside of its range. */
+function setRatio(ratio) {
   const [m, rollers] = ["m", "m_prime"].map((name) => parameters.find(({ key }) => key === name));
   const wanted = ratio * values.m, bound = Math.min(Math.max(wanted, rollers.least), rollers.most);
   if (wanted === bound) return set({ m_prime: wanted });
   const mass = Math.min(Math.max(Math.round(bound / ratio / m.step) * m.step, m.least), m.most);
-  const limits = { old: written(values.m, m), new: written(mass, m), bound: written(bound, rollers) };
+  const limits = { old: asText(values.m, m), new: asText(mass, m), bound: asText(bound, rollers) };
   const sentence = fill(wanted > bound ? sentences.lighter : sentences.heavier, limits);
   set({ m: mass, m_prime: Math.min(Math.max(ratio * mass, rollers.least), rollers.most) }, sentence);
 }
 
-/** Begin one of the app's components in an element of this page. */
+/** Mount one of the app's components in an element of this page. */
 function mount(host, name, key, data, trigger = () => {}) {
   const inner = host.appendChild(document.createElement("div"));
   inner.dataset.testid = "stBidiComponentIsolated";
@@ -74,28 +74,29 @@ function mount(host, name, key, data, trigger = () => {}) {
   return begin({ name, key, data, parentElement, setTriggerValue: trigger, setStateValue: trigger });
 }
 
-// An address after # comes first, then what the file was saved with.
+// Settings after # in the address take precedence over those saved in the file.
 const start = new URLSearchParams(dom.settings().size ? dom.settings() : document.documentElement.dataset.standalone);
 const ignored = [];
 for (const parameter of parameters) {
   const { key, least, most, step, label, head } = parameter, text = start.get(key), value = text && readNumber(text);
-  const fits = value !== null && isInRange(value, parameter);
-  if (text && !fits) ignored.push(parameter.ignored);
-  values[key] = text && fits ? value : parameter.default;
+  const isValid = value !== null && isInRange(value, parameter);
+  if (text && !isValid) ignored.push(parameter.ignored);
+  values[key] = text && isValid ? value : parameter.default;
   if (!head) continue; // the radius has no slider
-  const slider = makeSlider(key, { min: least, max: most, step, value: values[key], label }, (moved) => set({ [key]: moved }));
+  const attributes = { min: least, max: most, step, value: values[key], label };
+  const slider = makeSlider(key, attributes, (value) => set({ [key]: value }));
   const outer = document.querySelector(".sliders").appendChild(document.createElement("div"));
   const box = outer.appendChild(document.createElement("div"));
   box.className = `st-key-${key}_exact`;
   outer.append(slider);
   inputs[key] = slider.querySelector("input");
-  mount(box, "components/exact", `${key}_exact`, head, (_event, typed) => take(parameter, typed));
+  mount(box, "components/exact", `${key}_exact`, head, (_event, typed) => setFromText(parameter, typed));
 }
 document.querySelector(".sliders").addEventListener("submit", (event) => event.preventDefault());
-bus.subscribe("say", ({ sentence }) => (live.textContent = sentence));
+bus.subscribe("announce", ({ sentence }) => (live.textContent = sentence));
 publishAll();
 note.textContent = ignored.join(" ");
 mount(document.querySelector(".st-key-stage"), "stage/stage", "stage", settings.stage);
 mount(document.querySelector(".st-key-story"), "components/story", "story", settings.story);
-drawCurve(document.querySelector(".curve"), settings.curve, takeRatio);
+drawCurve(document.querySelector(".curve"), settings.curve, setRatio);
 addEventListener("hashchange", () => location.reload());

@@ -1,5 +1,5 @@
-// A slider that the modules of the page can use like one of Streamlit's: it sends its value when a hand lets go of it and after
-// a key stroke, and it marks itself while it is dragged.
+// A slider with the same interface for the app's modules as Streamlit's. It sends its value at the end of a drag and after a key
+// stroke, and it has the attribute data-dragging during a drag.
 
 export function makeSlider(key, { min, max, step, value, label = "" }, send) {
   const outer = document.createElement("div");
@@ -8,14 +8,14 @@ export function makeSlider(key, { min, max, step, value, label = "" }, send) {
   const group = outer.firstChild, input = group.firstChild;
   Object.assign(input, { min, max, step, ariaLabel: label });
   input.value = value;
-  const report = () => send(Number(input.value));
+  const sendValue = () => send(Number(input.value));
   input.addEventListener("input", () => input.setAttribute("value", input.value)); // the modules observe the attribute
-  input.addEventListener("change", report);
+  input.addEventListener("change", sendValue);
   input.addEventListener("keydown", (event) => {
-    if (event.isTrusted) return; // the browser itself moves the thumb
+    if (event.isTrusted) return; // the browser moves the thumb itself
     input[event.key === "ArrowRight" ? "stepUp" : "stepDown"]();
     input.dispatchEvent(new Event("input", { bubbles: true }));
-    report();
+    sendValue();
   });
   input.addEventListener("pointerdown", () => group.toggleAttribute("data-dragging", true));
   for (const type of ["pointerup", "pointercancel"])

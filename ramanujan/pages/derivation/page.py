@@ -68,7 +68,7 @@ def show() -> None:
         margin()
     with slide("try", _("Try it yourself")):
         try_it()
-    components.give_back("route", "show", "values", "masses")
+    components.return_focus("route", "show", "values", "masses")
     if not setting.numbers:
         sidebar.follow("beside", "results", "modes", "asked_machine")
 

@@ -45,7 +45,7 @@ def lesson_parts() -> None:
         head = st.container(key="turner")
         classroom.door()
     {"stops": walk, "tasks": work, "notes": notes}[part](head)
-    components.give_back("part")
+    components.return_focus("part")
 
 
 def uses_sidebar() -> bool:
@@ -82,7 +82,7 @@ def walk(head: st.delta_generator.DeltaGenerator) -> None:
             number,
             turned,
             clicker=not class_session.key_held(),
-            held=stops.asked_about(),
+            refusal=stops.asked_about(),
         )
     if number <= len(path):
         stops.draw(path[number - 1], number)

@@ -218,7 +218,7 @@ def judge(stop: Stop, chosen: str, phase: str) -> None:
             said = stop.options[stop.right]
             st.markdown(_(":green[:material/check_circle: **Right answer:**] {option}").format(option=said))
     # With the button that was clicked the focus has gone: who cannot see the page is told here.
-    components.publish(f"told_{stop.id}_published", {"say": {"sentence": said, "urgent": True}})
+    components.publish(f"told_{stop.id}_published", {"announce": {"sentence": said, "urgent": True}})
 
 
 def _moves(stop: Stop, chosen: str, label: str, phase: str) -> None:
