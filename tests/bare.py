@@ -1,7 +1,7 @@
-"""A page with components of the app and nothing else: no Streamlit, no app, in any of three browsers.
+"""A page that contains only components of the app, without Streamlit, in any of three browsers.
 
-What Python would send to the page is written by Python here, too: `Bare.put` calls the function that puts a component
-on the page, keeps the data that would cross, and has the page's own begin.js begin it with them.
+The data come from Python, as in the app: `Bare.put` calls a function that puts components on the page, records their
+data, and starts them on the page with begin.js.
 """
 
 import threading
@@ -23,7 +23,7 @@ COMPRESSION = PARAMETERS["compression"]
 
 
 class Bare:
-    """A bare page; `page` is Playwright's, or what stands for it in WebKit."""
+    """A bare page; `page` is Playwright's page or the one of tests/webkit.py."""
 
     def __init__(self, page: object, address: str) -> None:
         self.page = page
@@ -31,7 +31,7 @@ class Bare:
         page.wait_for_function("Boolean(globalThis.put)")
 
     def put(self, draw: Callable[[], object]) -> None:
-        """Put the components on the page that a function of the app puts there, or call them again."""
+        """Put the components of a function of the app on the page, or call them again."""
         calls = []
 
         def component(name: str) -> Callable[..., None]:
@@ -42,7 +42,7 @@ class Bare:
         self.page.evaluate("(calls) => put(calls)", calls)
 
     def stage(self, machine: Oscillator | None = None, compression: float = 0.08, **options: object) -> None:
-        """Put a stage on the page, as the first page has it unless the options of `stage.mount` say otherwise."""
+        """Put a stage on the page. The options of `stage.mount` override those of the first page."""
         payload = stage.payload(machine or Oscillator(1.0, 1.0, 10.0), compression)
         options = {"limits": COMPRESSION.limits, "watch": WATCH, "name": "oscillator"} | options
         self.put(lambda: stage.mount(payload, **options))
@@ -51,17 +51,17 @@ class Bare:
     def sliders(self, **values: float) -> None:
         """Put sliders of the sidebar on the page, each with a value in its unit."""
         for key, value in values.items():
-            known = PARAMETERS[key]
-            given = {"min": known.least, "max": known.most, "step": known.step, "value": value}
-            self.page.evaluate("([key, given]) => slide(key, given)", [key, given])
+            parameter = PARAMETERS[key]
+            attributes = {"min": parameter.least, "max": parameter.most, "step": parameter.step, "value": value}
+            self.page.evaluate("([key, attributes]) => slide(key, attributes)", [key, attributes])
 
     @property
     def sent(self) -> list[list[object]]:
-        """What components and sliders have told the server: [key, event, value]."""
+        """The messages of components and sliders to the server: [key, event, value]."""
         return self.page.evaluate("sent")
 
 
-def written(theme: str) -> bytes:
+def html(theme: str) -> bytes:
     """Return the bare page in a theme."""
     text = (Path(__file__).parent / "bare.html").read_text(encoding="utf-8")
     style = "".join(f"--st-{_kebab(name)}: {value};" for name, value in THEME[theme].items() if isinstance(value, str))
@@ -77,22 +77,23 @@ class _Handler(BaseHTTPRequestHandler):
 
     def do_GET(self) -> None:
         path = self.path.partition("?")[0].removeprefix("/")
-        found = written(path) if path in THEME else modules.contents().get(path.removeprefix(f"{modules.place()}/"))
-        self.send_response(404 if found is None else 200)
+        name = path.removeprefix(f"{modules.place()}/")
+        content = html(path) if path in THEME else modules.contents().get(name)
+        self.send_response(404 if content is None else 200)
         kind = "text/html" if path in THEME else guess_type(path)[0] or "application/octet-stream"
         self.send_header("Content-Type", kind)
-        self.send_header("Content-Length", str(len(found or b"")))
+        self.send_header("Content-Length", str(len(content or b"")))
         self.send_header("Cache-Control", "max-age=3600")
         self.end_headers()
-        self.wfile.write(found or b"")
+        self.wfile.write(content or b"")
 
     def log_message(self, *_: object) -> None:
-        """Say nothing."""
+        """Write no log."""
 
 
 @contextmanager
 def serving() -> Iterator[str]:
-    """Offer the bare page for as long as the block lasts; yield its address."""
+    """Serve the bare page during the block; yield its address."""
     with ThreadingHTTPServer(("127.0.0.1", 0), _Handler) as server:
         threading.Thread(target=server.serve_forever, daemon=True).start()
         yield f"http://127.0.0.1:{server.server_port}"

@@ -1,4 +1,4 @@
-"""The app in a browser, for tests and benchmarks: start it, open it, and wait for its answers."""
+"""The app in a browser, for tests and benchmarks: start it, open it, and wait until it has answered."""
 
 import contextlib
 import re
@@ -25,20 +25,20 @@ ROOT = Path(__file__).parent.parent
 CHROMIUM = next(
     filter(None, map(shutil.which, ("chromium-headless-shell", "chromium", "chromium-browser", "google-chrome"))), None
 )
-"""The browser; the first, which can show no window, takes a quarter less of a processor for the same visits."""
+"""The browser. The headless shell needs a quarter less processor time for the same visits."""
 FLAGS = ["--no-sandbox", "--disable-gpu", "--disable-background-networking", "--disable-component-update"]
 
 STAGE = "document.querySelector('.st-key-stage [data-testid=stBidiComponentIsolated]').shadowRoot"
 _FINISHED = {ForwardMsg.FINISHED_SUCCESSFULLY, ForwardMsg.FINISHED_FRAGMENT_RUN_SUCCESSFULLY}
 _QUIET = 350
-"""Milliseconds of silence, by the page's own timer, after which it has drawn.
+"""Milliseconds without a message, measured by the page's timer, after which the page is complete.
 
-Before they send, a slider waits 200 and a turn of steps 300; what is kept in the address waits 150.
+A slider sends after 200 ms, the steps of a lecture after 300 ms, and the address changes after 150 ms.
 """
 
 
 class running:  # noqa: N801 (reads as a sentence: with running(app) as address)
-    """Run a Streamlit script on a free port for as long as the block lasts."""
+    """Run a Streamlit script on a free port during the block."""
 
     def __init__(self, script: Path) -> None:
         with socket.socket() as probe:
@@ -55,7 +55,7 @@ class running:  # noqa: N801 (reads as a sentence: with running(app) as address)
 
     def __enter__(self) -> str:
         try:
-            return started(self.address)
+            return wait_for_start(self.address)
         except BaseException:
             self.__exit__()
             raise
@@ -65,8 +65,8 @@ class running:  # noqa: N801 (reads as a sentence: with running(app) as address)
         self.process.wait()
 
 
-def started(address: str) -> str:
-    """Return the address of an app when it answers."""
+def wait_for_start(address: str) -> str:
+    """Wait until an app answers. Return its address."""
     for _ in range(240):
         with contextlib.suppress(OSError), urllib.request.urlopen(f"{address}/_stcore/health", timeout=1):
             return address
@@ -75,10 +75,10 @@ def started(address: str) -> str:
 
 
 def get(address: str, **headers: str) -> tuple[Message, bytes]:
-    """Ask for a file with some headers, and return those of the answer and its content."""
+    """Request a file with these headers. Return the headers and the content of the response."""
     names = {name.replace("_", "-"): value for name, value in headers.items()}
-    with urllib.request.urlopen(urllib.request.Request(address, headers=names), timeout=60) as answer:
-        return answer.headers, answer.read()
+    with urllib.request.urlopen(urllib.request.Request(address, headers=names), timeout=60) as response:
+        return response.headers, response.read()
 
 
 PAGES = pytest.StashKey[list[Page]]()
@@ -86,7 +86,7 @@ PAGES = pytest.StashKey[list[Page]]()
 
 
 def evidence(page: Page, name: str) -> str:
-    """Save a screenshot of a page, and return its place, the address and the console's messages."""
+    """Save a screenshot of a page. Return its path, the page's address and the messages of the console."""
     folder = Path(tempfile.gettempdir()) / "ramanujan-failures"
     folder.mkdir(exist_ok=True)
     picture = folder / (re.sub(r"[^\w-]+", "_", name)[:100] + ".png")
@@ -102,7 +102,7 @@ class Traffic:
     ----------
     sent, received : sizes of the messages since the page was opened last [bytes]
     is_unanswered : whether the page waits for the end of a run
-    late : how long a message takes each way [s], where a test has made the network slow
+    late : delay of the network in each direction [s], which a test may set
     """
 
     def __init__(self, page: Page) -> None:
@@ -111,7 +111,7 @@ class Traffic:
         page.on("websocket", self._watch)
 
     def begin(self) -> None:
-        """Begin anew, for a page that is about to be opened."""
+        """Reset the records before a page is opened."""
         self.sent: list[int] = []
         self.received: list[int] = []
         self.is_unanswered = True
@@ -135,14 +135,14 @@ _TRAFFIC: WeakKeyDictionary[Page, Traffic] = WeakKeyDictionary()
 
 
 def traffic(page: Page) -> Traffic:
-    """Return the messages of a page; they are counted from the first call on."""
+    """Return the traffic of a page, recorded from the first call on."""
     if page not in _TRAFFIC:
         _TRAFFIC[page] = Traffic(page)
     return _TRAFFIC[page]
 
 
 def open_address(page: Page, address: str, *scripts: str) -> None:
-    """Open an address in a tab, with scripts that run before those of the page, and wait until all of it is there."""
+    """Open an address in a tab, run these scripts before the page's own, and wait until the page is complete."""
     messages = traffic(page)
     for script in scripts:
         page.add_init_script(script)
@@ -151,7 +151,7 @@ def open_address(page: Page, address: str, *scripts: str) -> None:
     page.wait_for_selector("[data-testid=stMainBlockContainer]")
     settle(page)
     until(page, MOUNTED)
-    settle(page)  # the first page has asked for what follows its machine
+    settle(page)  # the second run of the first page (shell/first_run.py)
 
 
 MOUNTED = """() => {
@@ -167,33 +167,32 @@ _WAIT = """async (ms) => {
   await new Promise((done) => setTimeout(done, ms));
   return Boolean(document.querySelector(".st-key-composition")) && !document.querySelector(".st-key-update_seen");
 }"""
-"""Waits for so long, and tells whether the first page has still to ask for what follows its machine."""
+"""Wait, and return whether the first page's second run is still to come."""
 
 
 def settle(page: Page, seconds: float = 60) -> None:
-    """Wait until the app has answered: every question answered, nothing running, nothing sent or received for a while.
+    """Wait until the app is idle: no rerun is unanswered, no script runs, and no message has passed for a while.
 
-    The page's own timer says how long a while is. Where the machine is slow it is late with the rest of the page, and
-    not before what waits for a shorter time.
+    The page's own timer measures the while. On a slow computer this timer is as late as the timers of the page that
+    send messages.
     """
     end = time.monotonic() + seconds
     messages = traffic(page)
-    seen, alone = None, False
-    while seen != (len(messages.sent), len(messages.received)) or messages.is_unanswered or alone:
+    counts, waits = None, False
+    while counts != (len(messages.sent), len(messages.received)) or messages.is_unanswered or waits:
         assert time.monotonic() < end, "the app did not answer"
-        seen = (len(messages.sent), len(messages.received))
+        counts = (len(messages.sent), len(messages.received))
         if messages.is_unanswered:
             page.wait_for_timeout(20)
         else:
-            # A page that is being left has no timer any more.
-            # Of several messages on a slow way the first answer must not pass for the last.
+            # A page that is being closed has no timer. On a slow network several answers may be on their way.
             with contextlib.suppress(Error):
-                alone = page.evaluate(_WAIT, _QUIET + 2500 * messages.late)
+                waits = page.evaluate(_WAIT, _QUIET + 2500 * messages.late)
     page.wait_for_selector("[data-testid=stApp][data-test-script-state=notRunning]", timeout=1000 * seconds)
 
 
 def until(page: Page, condition: str, given: object = None, seconds: float = 60) -> None:
-    """Wait until a JavaScript function returns what is true, also where the page's policy forbids to evaluate text."""
+    """Wait until a JavaScript function returns true, also on a page whose policy forbids `eval`."""
     end = time.monotonic() + seconds
     while not page.evaluate(condition, given):
         assert time.monotonic() < end, f"never true: {condition}"
@@ -201,28 +200,28 @@ def until(page: Page, condition: str, given: object = None, seconds: float = 60)
 
 
 def next_frame(page: Page) -> None:
-    """Wait until the browser has drawn what just happened: to the end of the next animation frame."""
+    """Wait until the browser has drawn the last change, to the end of the next animation frame."""
     page.evaluate("new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done)))")
 
 
 def leave_out_figures(page: Page) -> None:
-    """Let the page draw nothing where its figures are: to load Plotly takes more of a processor than all the rest."""
+    """Replace the figures of a page by nothing, because loading Plotly takes more time than the rest of the page."""
     client = page.context.new_cdp_session(page)
-    answer = {
+    response = {
         "responseCode": 200,
         "responseHeaders": [{"name": "Content-Type", "value": "text/javascript"}],
         "body": b64encode(b"export default () => null").decode(),
     }
 
     def fulfill(event: dict) -> None:
-        client.send("Fetch.fulfillRequest", {"requestId": event["requestId"]} | answer)
+        client.send("Fetch.fulfillRequest", {"requestId": event["requestId"]} | response)
 
     client.on("Fetch.requestPaused", fulfill)
     client.send("Fetch.enable", {"patterns": [{"urlPattern": "*/PlotlyChart.*.js"}]})
 
 
 def inside(page: Page, expression: str) -> object:
-    """Evaluate a JavaScript expression with `root` as the stage's own document."""
+    """Evaluate a JavaScript expression in which `root` is the stage's shadow tree."""
     return page.evaluate(f"(() => {{ const root = {STAGE}; return {expression}; }})()")
 
 
@@ -234,12 +233,12 @@ def slab_over_block(page: Page) -> float:
 
 
 def press_preset(page: Page, name: str) -> None:
-    """Press a preset; the first page has them in a fold."""
+    """Press a preset, which may be in a closed expander."""
     page.locator(".st-key-preset button", has_text=name).dispatch_event("click", timeout=1000)
 
 
 def thumb(page: Page, key: str) -> tuple[float, float]:
-    """Return where the middle of a slider's thumb is on the screen."""
+    """Return the centre of a slider's thumb on the screen."""
     box = page.locator(f".st-key-{key} [style*=left]").first.bounding_box()
     return box["x"] + box["width"] / 2, box["y"] + box["height"] / 2
 

@@ -18,8 +18,18 @@ from hypothesis import settings
 from streamlit.components.v2 import manifest_scanner
 from streamlit.testing.v1 import AppTest
 
-from tests.browser import CHROMIUM, FLAGS, PAGES, ROOT, evidence, leave_out_figures, open_address, running, started
-from tests.engines import bare, bare_address, browsers, engine, missing, playwright, some, window  # noqa: F401
+from tests.browser import (
+    CHROMIUM,
+    FLAGS,
+    PAGES,
+    ROOT,
+    evidence,
+    leave_out_figures,
+    open_address,
+    running,
+    wait_for_start,
+)
+from tests.engines import bare, bare_address, browsers, engine, playwright, skip_missing, some, window  # noqa: F401
 
 # The classes that tests open are not among those of this machine's own app, which keeps 200 at most.
 _CLASSES = TemporaryDirectory()
@@ -95,7 +105,7 @@ def pytest_unconfigure(config: pytest.Config) -> None:
 def server(pytestconfig: pytest.Config) -> Iterator[str]:
     """The address of the running app."""
     if shared := getattr(pytestconfig, "workerinput", {}).get("server"):
-        yield started(shared)
+        yield wait_for_start(shared)
         return
     with running(ROOT / "app.py") as address:
         yield address
@@ -105,7 +115,7 @@ def server(pytestconfig: pytest.Config) -> Iterator[str]:
 def chromium(playwright: object) -> Iterator[object]:  # noqa: F811
     """One headless browser for all tests of a worker."""
     if CHROMIUM is None:
-        missing("chromium")
+        skip_missing("chromium")
     browser = playwright.chromium.launch(executable_path=CHROMIUM, args=FLAGS)
     yield browser
     browser.close()

@@ -1,9 +1,9 @@
-"""Three browsers for modules and journeys: Chromium and Firefox by Playwright, WebKit by Selenium (webkit.py).
+"""Three browsers: Chromium and Firefox by Playwright, WebKit by Selenium (webkit.py).
 
-Each is started when a test first needs it. Where one is missing its tests are skipped, unless RAMANUJAN_REQUIRE_BROWSER
-is set. A test that not every browser can take part in names those that can:
-`@pytest.mark.parametrize("engine", ["chromium"])`; one of what browsers have in common, arithmetic above all, has the
-mark ANY_ENGINE.
+Each browser is started when a test first needs it. The tests of a missing browser are skipped, or fail if
+RAMANUJAN_REQUIRE_BROWSER is set. A test for some browsers lists them, as in
+`@pytest.mark.parametrize("engine", ["chromium"])`. A test that does not depend on the browser, such as one of
+arithmetic, has the mark ANY_ENGINE.
 """
 
 import os
@@ -19,14 +19,15 @@ from tests.browser import PAGES
 
 ENGINES = ("chromium", "firefox", "webkit")
 ANY_ENGINE = pytest.mark.parametrize("engine", ENGINES if os.environ.get("RAMANUJAN_DEEP") else ENGINES[:1])
-"""One browser stands for all, unless RAMANUJAN_DEEP is set."""
+"""One browser represents all, unless RAMANUJAN_DEEP is set."""
 FIREFOX = shutil.which("firefox-esr") or shutil.which("firefox")
 CALM = {"ui.prefersReducedMotion": 1}
-"""What makes Firefox wish for less motion, which Playwright cannot tell it."""
+"""Firefox's setting for reduced motion, which Playwright cannot change."""
 
 REFUSED = """window.refused = [];
-addEventListener("securitypolicyviolation", (told) => refused.push(`${told.violatedDirective}: ${told.blockedURI}`))"""
-"""Notes what the server's policy has kept a page from loading."""
+addEventListener("securitypolicyviolation", ({ violatedDirective, blockedURI }) =>
+  refused.push(`${violatedDirective}: ${blockedURI}`))"""
+"""Record the requests that the server's content security policy has blocked."""
 
 
 def _check_refused(page: object) -> None:
@@ -34,18 +35,18 @@ def _check_refused(page: object) -> None:
     assert not refused, refused
 
 
-def missing(packages: str) -> None:
-    """Skip a test whose browser is missing, or let it fail where all must be there."""
+def skip_missing(packages: str) -> None:
+    """Skip a test whose browser is missing, or fail if all browsers are required."""
     end = pytest.fail if os.environ.get("RAMANUJAN_REQUIRE_BROWSER") else pytest.skip
     end(f"a browser is missing (on Debian: apt-get install {packages})")
 
 
 @pytest.fixture(scope="session")
 def playwright() -> Iterator[object]:
-    """Playwright, which a process can start once."""
+    """Playwright, which a process can start only once."""
     from playwright.sync_api import expect, sync_playwright
 
-    # On a machine that others share, a page of five figures takes more than 5 s.
+    # On a shared machine, a page with five figures takes more than 5 s.
     expect.set_options(timeout=20_000)
     with sync_playwright() as started:
         yield started
@@ -55,7 +56,7 @@ def playwright() -> Iterator[object]:
 def browsers(
     request: pytest.FixtureRequest, playwright: object, tmp_path_factory: pytest.TempPathFactory
 ) -> Iterator[Callable]:
-    """Start a browser by its name, or return the one that was started before."""
+    """Return a running browser by its name; start it if necessary."""
     running = {}
     with ExitStack() as stack:
 
@@ -64,12 +65,12 @@ def browsers(
                 return request.getfixturevalue("chromium")
             if name == "firefox":
                 if not FIREFOX:
-                    missing("firefox-esr")
+                    skip_missing("firefox-esr")
                 options = {"executable_path": FIREFOX, "firefox_user_prefs": CALM}
                 browser = playwright.firefox.launch(channel="moz-firefox", **options)
             else:
                 if not (webkit.BROWSER and webkit.DRIVER and webkit.SCREEN):
-                    missing("webkit2gtk-driver xvfb")
+                    skip_missing("webkit2gtk-driver xvfb")
                 browser = webkit.Page(tmp_path_factory.mktemp("webkit"))
             stack.callback(browser.close)
             return browser
@@ -79,20 +80,20 @@ def browsers(
 
 @pytest.fixture(params=ENGINES)
 def engine(request: pytest.FixtureRequest) -> str:
-    """The name of the browser in which a test runs: it runs in each of them."""
+    """The name of the browser; a test runs once in each browser."""
     return request.param
 
 
 @pytest.fixture
 def some(engine: str) -> Callable[[Iterable[object]], list[object]]:
-    """Choose from cases: all of them in Chromium, or where RAMANUJAN_DEEP is set; of three one in other browsers."""
+    """Choose cases: all in Chromium or if RAMANUJAN_DEEP is set, every third in other browsers."""
     step = 1 if engine == "chromium" or os.environ.get("RAMANUJAN_DEEP") else 3
     return lambda cases: list(cases)[::step]
 
 
 @pytest.fixture
 def window(request: pytest.FixtureRequest, engine: str, browsers: Callable) -> Iterator[Callable]:
-    """Open a window that knows nothing of others, with less motion: window(width, height, engine)."""
+    """Open an isolated window with reduced motion: window(width, height, engine)."""
     with ExitStack() as stack:
 
         def open_window(width: int = 1280, height: int = 720, name: str = engine) -> object:
@@ -114,14 +115,14 @@ def window(request: pytest.FixtureRequest, engine: str, browsers: Callable) -> I
 
 @pytest.fixture(scope="session")
 def bare_address() -> Iterator[str]:
-    """Where the bare page is offered."""
+    """The address of the bare page."""
     with serving() as address:
         yield address
 
 
 @pytest.fixture
 def bare(window: Callable, bare_address: str) -> Iterator[Callable[..., Bare]]:
-    """Open a bare page: bare("?layers=none", theme="dark", width=390); it must end without an error."""
+    """Open a bare page, as in bare("?layers=none", theme="dark", width=390). A JavaScript error fails the test."""
     opened = []
 
     def open_bare(search: str = "", *, theme: str = "light", width: int = 1280, height: int = 720) -> Bare:

@@ -1,8 +1,8 @@
-"""Break the app in one place at a time, and see a test fail each time: `python -m tests.mutations [words]`.
+"""Break the app in one place at a time, and check that a test fails: `python -m tests.mutations [words]`.
 
-Every mutation is made in a copy of the sources, in which the tests named with it are run; all of them must pass there
-before anything is broken. With words, only the mutations are run whose names contain one of them. This takes minutes
-and is no part of the test suite.
+Each mutation is applied to a copy of the sources, in which its tests are run. Without a mutation these tests must pass.
+With words, only the mutations whose names contain one of them are run. This takes minutes and is not part of the test
+suite.
 """
 
 import shutil
@@ -16,7 +16,7 @@ from tests.browser import ROOT
 
 _COPIED = ("app.py", "ramanujan", "tests", ".streamlit", ".pytest.ini")
 DRAWN = "all_that_is_drawn"
-"""The test that holds every body, hand, bar and arrow against the core."""
+"""The test that compares every body, hand, bar and arrow with the core."""
 
 
 LAYERS = "marks_of_every_layer"
@@ -25,7 +25,7 @@ LAYERS = "marks_of_every_layer"
 
 @dataclass(frozen=True)
 class Mutation:
-    """What is broken: a text in a file, what takes its place, and the tests, in pytest's words, that must notice."""
+    """A text in a file, its replacement, and the tests that must fail, as an expression for pytest's -k."""
 
     name: str
     file: str
@@ -223,15 +223,15 @@ MUTATIONS = [
 
 
 def outcome(folder: Path, tests: str) -> str:
-    """Run tests in a copy of the sources, and return "passed", "failed" or what else pytest says of them."""
+    """Run tests in a folder with the sources. Return "passed", "failed" or pytest's error message."""
     command = [sys.executable, "-m", "pytest", "-q", "-x", "-n", "0", "-p", "no:cacheprovider"]
     command += ["-k", f"({tests}) and not firefox and not webkit", "tests"]
     done = subprocess.run(command, cwd=folder, capture_output=True, text=True, check=False)
     return {0: "passed", 1: "failed"}.get(done.returncode, f"pytest ended with {done.returncode}: {done.stdout[-500:]}")
 
 
-def broken(mutation: Mutation, folder: Path) -> str:
-    """Copy the sources, break them, and return the outcome of the tests."""
+def outcome_with(mutation: Mutation, folder: Path) -> str:
+    """Copy the sources to a folder, apply a mutation, and return the outcome of its tests."""
     for name in _COPIED:
         source = ROOT / name
         if source.is_dir():
@@ -241,26 +241,24 @@ def broken(mutation: Mutation, folder: Path) -> str:
     file = folder / "ramanujan/browser" / mutation.file
     text = file.read_text(encoding="utf-8")
     if text.count(mutation.old) != 1:
-        return f"no mutation: its text stands {text.count(mutation.old)} times in {mutation.file}"
+        return f"no mutation: its text occurs {text.count(mutation.old)} times in {mutation.file}"
     file.write_text(text.replace(mutation.old, mutation.new), encoding="utf-8")
     return outcome(folder, mutation.tests)
 
 
 def main(words: list[str]) -> int:
-    """Print the outcome of every mutation, and return how many the tests did not notice."""
+    """Print the outcome of every mutation. Return the number of mutations that no test noticed."""
     chosen = [mutation for mutation in MUTATIONS if not words or any(word in mutation.name for word in words)]
     if (before := outcome(ROOT, " or ".join({mutation.tests for mutation in chosen}))) != "passed":
-        print(f"With nothing broken: {before}")
+        print(f"Without a mutation: {before}")
         return 1
     survivors = 0
     for mutation in chosen:
         with tempfile.TemporaryDirectory() as folder:
-            seen = broken(mutation, Path(folder))
-        survivors += seen != "failed"
-        print(
-            f"{'noticed' if seen == 'failed' else 'SURVIVED' if seen == 'passed' else seen}: {mutation.name}",
-            flush=True,
-        )
+            result = outcome_with(mutation, Path(folder))
+        survivors += result != "failed"
+        verdict = {"failed": "noticed", "passed": "SURVIVED"}.get(result, result)
+        print(f"{verdict}: {mutation.name}", flush=True)
     print(f"{survivors} of {len(chosen)} were not noticed.")
     return survivors
 

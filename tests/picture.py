@@ -1,7 +1,7 @@
-"""What the browser draws, off the screen: positions in pixels, angles in degrees clockwise, painted colours.
+"""Measurements of the drawn picture: positions in pixels, angles in degrees clockwise, painted colours.
 
-Nothing here asks the page's own formulas or its layout. The scale comes from the drawn radius of a roller, the zero
-from the drawn ruler, and arrows are measured against the reference arrow that is drawn with them.
+This file uses neither the page's formulas nor its layout. The scale comes from the drawn radius of a roller, the zero
+from the drawn ruler, and the lengths of arrows from the scale arrows in the picture.
 """
 
 import io
@@ -18,7 +18,7 @@ from tests.browser import STAGE, inside, next_frame, script
 
 ROLLERS = ("hoop", "cylinder", "top")
 STEPS = 24
-"""Presses of the step button in a period."""
+"""Number of steps of the step button in a period."""
 
 _READ = script("picture")
 
@@ -33,7 +33,7 @@ _SEEK = f"""([periods, part]) => {{
 
 
 class Picture:
-    """A stage on a bare page, told which machine to show and at which time."""
+    """A stage on a bare page, with a machine and a time set by the test."""
 
     def __init__(self, bare: Bare, name: str = "oscillator", **options: object) -> None:
         self.bare, self.page, self.name = bare, bare.page, name
@@ -47,13 +47,13 @@ class Picture:
         next_frame(self.page)
 
     def find(self, expression: str) -> object:
-        """Return what a JavaScript expression says of the stage, whose document is `root`."""
+        """Evaluate a JavaScript expression in which `root` is the stage's shadow tree."""
         return inside(self.page, expression)
 
     def at(self, periods: float) -> dict:
-        """Go to a time, in periods after release, by the buttons and the scrubber, and return what is drawn there.
+        """Go to a time, in periods after release, by the buttons and the scrubber. Return the measurements.
 
-        The state that the core computes for that time is then in `time`, `q` and `q_dot`.
+        The attributes `time`, `q` and `q_dot` are then the core's state at that time.
         """
         whole = math.floor(periods)
         self.page.evaluate(_SEEK, [whole, periods - whole])
@@ -67,24 +67,24 @@ class Picture:
         return drawn
 
     def layers(self, *names: str) -> None:
-        """Show these layers and no others."""
+        """Show only these layers."""
         boxes = "[...root.querySelectorAll('[data-layer]')]"
         wrong = f"{boxes}.filter((box) => {list(names)}.includes(box.dataset.layer) !== box.firstChild.checked)"
         self.find(f"{wrong}.forEach((box) => box.firstChild.click())")
         next_frame(self.page)
 
     def painted(self) -> np.ndarray:
-        """The screen as it is painted: red, green and blue from 0 to 255, by row and column."""
+        """The colours on the screen: red, green and blue from 0 to 255, by row and column."""
         return np.asarray(Image.open(io.BytesIO(self.page.screenshot())).convert("RGB"), dtype=float)
 
 
 def middle(box: list[float]) -> float:
-    """Half-way between the left and the right end of a box."""
+    """The horizontal centre of a box."""
     return (box[0] + box[2]) / 2
 
 
 def places(drawn: dict) -> dict[str, float]:
-    """Where the middle of each body is along the floor, in pixels."""
+    """The horizontal position of each body's centre, in pixels."""
     rollers = {name: drawn["rollers"][name]["centre"][0] for name in ROLLERS}
     return {"block": middle(drawn["block"]), "slab": middle(drawn["slab"]), **rollers}
 

@@ -1,10 +1,10 @@
 """A slow or broken network between the browser and the app: a small proxy on the loopback address.
 
-    with Network(server) as way:
-        way.seconds = 0.1
-        page.goto(way.address)
+    with Network(server) as network:
+        network.seconds = 0.1
+        page.goto(network.address)
 
-Only websockets are delayed: a page's scripts would otherwise take a minute to load, and they decide nothing.
+Only websockets are delayed. With a delay of all requests, a page would take a minute to load.
 """
 
 import asyncio
@@ -15,15 +15,15 @@ from typing import Self
 from urllib.parse import urlsplit
 
 _HEAD = 65536
-"""Bytes that the head of a request may take."""
+"""Largest size of a request's header [bytes]."""
 _SESSION = re.compile(rb"(?i)(sec-websocket-protocol:[^,\r]*,[^,\r]*),[^\r]*")
-"""What a page that comes back says in the head: at its end the session that it wants to go on with."""
+"""The header of a reconnecting page; it ends with the id of the session to resume."""
 
 
 class Network:
-    """The way to one server, which can be slow and can break: `seconds` of delay each way, `down()` and `up()`.
+    """A network before one server. `seconds` is the delay in each direction; `down()` breaks it, `up()` restores it.
 
-    It listens on a free port, at `address`, for as long as the block lasts.
+    It listens at `address`, on a free port, during the block.
     """
 
     seconds = 0.0
@@ -50,11 +50,11 @@ class Network:
         self._loop.close()
 
     def down(self) -> None:
-        """Break every connection, and accept none until `up`."""
+        """Break all connections, and accept none until `up`."""
         self._call(self._break())
 
     def up(self, killed: bool = False) -> None:
-        """Accept connections again; to the page of one that was killed the server is one that has never seen it."""
+        """Accept connections again. After `killed`, the server does not know the sessions of the pages."""
         self._up, self._killed = True, killed
 
     async def _listen(self) -> asyncio.Server:
@@ -77,23 +77,23 @@ class Network:
         task = asyncio.current_task()
         self._connections.add(task)
         task.add_done_callback(self._connections.discard)
-        there = None
-        # A connection may end at any moment, from either side: that is no error here.
+        server_writer = None
+        # Either side may close a connection at any time.
         with contextlib.suppress(OSError, asyncio.IncompleteReadError, asyncio.CancelledError):
             if self._up:
                 head = await reader.readuntil(b"\r\n\r\n")
                 delay = b"\r\nupgrade: websocket" in head.lower()
                 if self._killed:
                     head = _SESSION.sub(rb"\1", head)
-                back, there = await asyncio.open_connection(*self.target)
-                there.write(head)
-                await self._relay_both((reader, there), (back, writer), delay=delay)
-        for end in filter(None, (writer, there)):
-            end.close()
+                server_reader, server_writer = await asyncio.open_connection(*self.target)
+                server_writer.write(head)
+                await self._relay_both((reader, server_writer), (server_reader, writer), delay=delay)
+        for each in filter(None, (writer, server_writer)):
+            each.close()
 
-    async def _relay_both(self, *ways: tuple[asyncio.StreamReader, asyncio.StreamWriter], delay: bool) -> None:
-        """Relay both ways until one of them ends."""
-        tasks = [asyncio.create_task(self._relay(*way, delay)) for way in ways]
+    async def _relay_both(self, *directions: tuple[asyncio.StreamReader, asyncio.StreamWriter], delay: bool) -> None:
+        """Relay both directions until one of them ends."""
+        tasks = [asyncio.create_task(self._relay(*direction, delay)) for direction in directions]
         try:
             await asyncio.wait(tasks, return_when=asyncio.FIRST_COMPLETED)
         finally:
@@ -102,10 +102,10 @@ class Network:
             await asyncio.gather(*tasks, return_exceptions=True)
 
     async def _relay(self, reader: asyncio.StreamReader, writer: asyncio.StreamWriter, delay: bool) -> None:
-        """Hand on what comes, in order, each piece as late as the network is slow."""
+        """Relay data in order, with the network's delay."""
         pieces: asyncio.Queue[tuple[float, bytes]] = asyncio.Queue()
 
-        async def hand_on() -> None:
+        async def send() -> None:
             while True:
                 due, data = await pieces.get()
                 await asyncio.sleep(max(0.0, due - self._loop.time()))
@@ -114,7 +114,7 @@ class Network:
                 writer.write(data)
                 await writer.drain()
 
-        sender = asyncio.create_task(hand_on())
+        sender = asyncio.create_task(send())
         try:
             data = b" "
             while data:

@@ -12,7 +12,7 @@ from playwright.sync_api import Locator, Page
 
 from ramanujan.shell.navigation import PAGES
 from tests.browser import script, settle
-from tests.engines import CALM, FIREFOX, missing
+from tests.engines import CALM, FIREFOX, skip_missing
 from tests.test_browser_access import OPEN
 
 MARGIN = 7
@@ -241,7 +241,7 @@ def test_dotted_letters_are_whole_on_the_screen_and_on_paper(visit):
 
 def test_dotted_letters_are_whole_in_firefox(server, browsers, playwright):
     if not FIREFOX:
-        missing("firefox-esr")
+        skip_missing("firefox-esr")
     pages = []
     prefs = CALM | {"browser.display.document_color_use": 2}
     contrast = playwright.firefox.launch(channel="moz-firefox", executable_path=FIREFOX, firefox_user_prefs=prefs)

@@ -202,7 +202,7 @@ def check_long_formulas(page) -> None:
 
 
 BEFORE_THE_FIRST_EQUATION = script("before_equation")
-ALONE = script("alone")
+ALONE = script("separated_punctuation")
 """Formulas whose full stop or comma has gone to the next line."""
 
 

@@ -102,7 +102,7 @@ def test_a_running_stage_and_a_hundred_changes_leave_nothing_behind(bare: Callab
     here.sliders(m=1, m_prime=1, k=10, compression=8, radius=10)
     picture, tab = Picture(here), here.page
     tab.evaluate(f"() => {{ {HASTE} }}")
-    tab.evaluate("wish(false)")
+    tab.evaluate("setReducedMotion(false)")
     client = watched(tab)
 
     def change(times: int, key: str) -> None:

@@ -13,7 +13,7 @@ from playwright.sync_api import BrowserContext, Locator, Page, expect
 from ramanujan import lesson
 from ramanujan.lesson.classes import Class, shared
 from tests.browser import FLAGS
-from tests.engines import CALM, FIREFOX, missing
+from tests.engines import CALM, FIREFOX, skip_missing
 from tests.two_sites import CoursePage
 
 STOP = lesson.STOPS[0]
@@ -50,7 +50,7 @@ def strict(playwright: object, engine: str) -> Iterator[object]:
     """A browser that refuses storage to frames of other sites."""
     if engine == "firefox":
         if not FIREFOX:
-            missing("firefox-esr")
+            skip_missing("firefox-esr")
         prefs = CALM | {"network.cookie.cookieBehavior": 1}
         browser = playwright.firefox.launch(channel="moz-firefox", executable_path=FIREFOX, firefox_user_prefs=prefs)
     else:

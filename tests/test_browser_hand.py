@@ -75,7 +75,7 @@ def press(picture, control: str) -> None:
 
 def test_a_click_on_the_slab_changes_nothing_nor_does_another_button(picture, engine):
     mouse = picture.page.mouse
-    picture.page.evaluate("wish(false)")
+    picture.page.evaluate("setReducedMotion(false)")
     # In WebKit the right button opens a menu, which takes the mouse, and the middle one is not let go.
     others = () if engine == "webkit" else ("right", "middle")
     for button in ("left", *others):

@@ -44,7 +44,7 @@ class Visitor:
     def click(self, selector: str, name: str = "") -> None:
         """Click on an element that has come to rest, and that nothing covers."""
         before = None
-        while (place := self.until(selector, name)) != before or not place["rests"]:
+        while (place := self.until(selector, name)) != before or not place["isSteady"]:
             before = place
             next_frame(self.page)
         self.page.mouse.click(place["x"], place["y"])

@@ -23,7 +23,7 @@ STREAMLITS_OWN = (
 """Streamlit's own words, which are always English; no setting changes them."""
 NAMES = ("float32", "float64", "Markdown")
 """Names of formats, the same in every language."""
-FORGOTTEN = script("forgotten")
+FORGOTTEN = script("untranslated")
 CUT = script("cut")
 """What is wider than its place and does not scroll; Streamlit's bar of pages folds what does not fit into a menu."""
 OVERLAPS = script("overlaps")

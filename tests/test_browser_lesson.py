@@ -12,7 +12,7 @@ from tests.browser import next_frame, script, settle
 
 MACHINE = lesson.stop("two-clocks").machine
 STAGE = "[class*='st-key-stage_'] [data-testid=stBidiComponentIsolated]"
-SAID = script("said")
+SAID = script("texts")
 PLACE = f"document.querySelector(\"{STAGE}\").shadowRoot.querySelector('.body.slab').getAttribute('transform')"
 WIDTH = "document.querySelector('[data-testid=stMain]').scrollWidth"
 BUS = "JSON.stringify(ramanujan.last('drawn/stage_two-clocks_0'))"

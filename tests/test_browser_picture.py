@@ -521,7 +521,7 @@ def test_a_slider_s_thumb_moves_what_it_names_and_as_far(picture, some):
 def test_the_speed_menu_changes_the_speed(picture):
     """The phase that the page runs through, over the time of its own frames, at each speed."""
     picture.show(Oscillator(), 0.08)
-    picture.page.evaluate("wish(false)")
+    picture.page.evaluate("setReducedMotion(false)")
     rate = """() => new Promise((done) => {
       let last = null, elapsed = 0, from = 0;
       const look = (now) => {

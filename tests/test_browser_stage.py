@@ -39,7 +39,7 @@ def test_the_readouts_are_the_core_s_numbers_and_fast_motion_is_slowed_and_says_
 def test_nothing_jumps_when_a_parameter_changes(picture):
     """The machine moves at once, frame by frame across a preset never further than twice its greatest speed allows."""
     page = picture.page
-    page.evaluate("wish(false)")
+    page.evaluate("setReducedMotion(false)")
     picture.find("""(() => {
       const rect = root.querySelector(".moving .body.slab .form");
       window.places = [];
@@ -135,12 +135,12 @@ def test_less_motion_is_a_still_described_in_words_and_its_wish_is_followed_at_o
     # Percentages are written for a machine that stands: nobody can read those that run.
     share = "getComputedStyle(root.querySelector('.legend b')).visibility"
     assert picture.find(share) == "visible"
-    page.evaluate("wish(false)")
+    page.evaluate("setReducedMotion(false)")
     next_frame(page)
     assert (picture.find(play), picture.find(share), picture.find(ghosts)) == ("Pause", "hidden", 0)
     page.wait_for_timeout(200)
     assert slab(picture) != place
-    page.evaluate("wish(true)")
+    page.evaluate("setReducedMotion(true)")
     next_frame(page)
     assert (picture.find(play), picture.find(ghosts)) == ("Play", 5)
     picture.show(Oscillator(1, UNIT_MASS_RATIO, 10), 0.08)
@@ -188,7 +188,7 @@ def test_what_is_hidden_is_neither_drawn_nor_said(bare):
 @ANY_ENGINE
 def test_a_machine_whose_motion_is_hidden_stands_still(bare):
     picture = Picture(bare(), hide=("motion",))
-    picture.page.evaluate("wish(false)")
+    picture.page.evaluate("setReducedMotion(false)")
     place = slab(picture)
     picture.find("root.querySelector('.stage').focus()")
     picture.page.keyboard.press("ArrowRight")

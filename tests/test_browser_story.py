@@ -118,7 +118,7 @@ def test_the_story_is_true_at_every_moment_and_ends_in_step(told):
     assert evaluate(MARK) == "", "the answer is not printed on the slider"
     evaluate(script("turned_clock"))
     evaluate(HEARD)
-    evaluate("wish(false)")
+    evaluate("setReducedMotion(false)")
     check_told(page)
     page.wait_for_function("sent.length > 0")
     assert [each[-1] for each in told.sent] == [repr(GOAL)], "no message while it plays"
@@ -141,7 +141,7 @@ def test_the_story_is_true_at_every_moment_and_ends_in_step(told):
     assert 2 < value / 1.5 < 4.6
     # Whoever wants less motion while it is told is shown its end.
     evaluate(f"{STORY}.querySelector('button').click()")
-    evaluate("() => (turn(8), wish(true))")
+    evaluate("() => (turn(8), setReducedMotion(true))")
     assert evaluate(f"() => (turn(8), ({NOW})())")["said"] == SAID
     assert not evaluate(f"{STORY}.querySelector('.stills').hidden")
 

@@ -59,7 +59,7 @@ An index is smaller by nature, a name by its body, and an operation by the line 
 """
 SENTENCES = script("small_sentences")
 """The sentences of the present slide that are small although the slide has room."""
-LAID = script("laid")
+LAID = script("slide_size")
 """How the slides are laid out: how many are seen, what is cut, how much of its height the slide fills."""
 OUT = script("cut_figures")
 """The words of figures that are cut."""
@@ -71,7 +71,7 @@ BAR = """() => {
 """How many names of pages the pager covers."""
 PLACE = ".st-key-pager select option:checked"
 HEIGHTS = "[...document.querySelectorAll('.js-plotly-plot')].map((figure) => figure.clientHeight / innerHeight)"
-SEEN = script("seen_slides")
+SEEN = script("visible_slides")
 """Collects, frame by frame, which slides have been seen, and whether the words were large then."""
 DRAWN = """!document.querySelector("[data-testid=stSkeleton]")
     && [...document.querySelectorAll(".stPlotlyChart")].every((chart) => chart.querySelector(".main-svg"))"""
@@ -156,9 +156,9 @@ def check_slides(page, count: int) -> None:
                 break
             page.wait_for_timeout(300)
         laid = page.evaluate(LAID)
-        held = laid["seen"] == 1 and max(laid["over"], laid["wide"]) <= 2 and laid["filled"] > 1 / 3
+        fits = laid["visible"] == 1 and max(laid["over"], laid["wide"]) <= 2 and laid["filled"] > 1 / 3
         wrong += [(title, each) for each in on_one_another + page.evaluate(SIZES, 23.9) + page.evaluate(OUT)]
-        wrong += [] if held else [(title, laid)]
+        wrong += [] if fits else [(title, laid)]
         if slide < len(titles):
             page.locator(".st-key-pager .next").click()
             next_frame(page)

@@ -17,7 +17,7 @@ from streamlit.proto.ForwardMsg_pb2 import ForwardMsg
 from ramanujan.lesson import classes
 from ramanujan.lesson.class_codes import network_of
 from ramanujan.shell.browser_cookie import NAME
-from tests.browser import CHROMIUM, get, settle, started
+from tests.browser import CHROMIUM, get, settle, wait_for_start
 from tests.deployed import HAPROXY, deployed
 
 pytestmark = pytest.mark.xdist_group("deployment")
@@ -142,7 +142,7 @@ def test_over_https_a_first_visit_is_small(hall: deployed, chromium: object) -> 
 
 def test_another_language_keeps_the_page_the_machine_and_the_options(hall: deployed, visit: Callable) -> None:
     hall.start("hungarian")
-    started(f"{hall.address}/hu")
+    wait_for_start(f"{hall.address}/hu")
     tab = visit("motion?m=2.5&mu=0.4", network=hall.address, figures=False)
     move(tab, 3)
     english = tab.url

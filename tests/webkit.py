@@ -1,7 +1,7 @@
-"""WebKit, the engine of Safari, as GTK has it: a page with those of Playwright's methods that our tests use.
+"""WebKit, the engine of Safari, in its GTK port: a page with the methods of Playwright that the tests use.
 
-Playwright's own WebKit is a download of its own; Debian has one with a WebDriver (webkit2gtk-driver), which Selenium
-speaks. It draws on a screen that nobody sees (Xvfb).
+Playwright's WebKit needs another download. Debian's WebKit has a WebDriver (webkit2gtk-driver) for Selenium. It runs on
+a virtual screen (Xvfb).
 """
 
 import json
@@ -31,17 +31,17 @@ const [given, done] = arguments;
 })().then((value) => ({ value: value ?? null }), (error) => ({ error: `${error}\\n${error?.stack}` }))
   .then((answer) => done(JSON.stringify(answer)));
 """
-"""Its answer is text, since an object keeps the order of its keys. A page's policy forbids `eval`."""
+"""Evaluates an expression without `eval`, which a page's policy forbids. JSON preserves the order of keys."""
 
 
 _BUTTONS = {"left": MouseButton.LEFT, "middle": MouseButton.MIDDLE, "right": MouseButton.RIGHT}
 
 
 class Page:
-    """A window of WebKit; `close` ends the browser."""
+    """A window of WebKit; `close` stops the browser."""
 
     def __init__(self, folder: Path) -> None:
-        """Start the browser; with its settings, among them the wish for less motion, in a folder of its own."""
+        """Start the browser with reduced motion; `folder` contains its settings."""
         settings = folder / "gtk-3.0"
         settings.mkdir()
         (settings / "settings.ini").write_text("[Settings]\ngtk-enable-animations=0\n")
@@ -61,7 +61,7 @@ class Page:
         self.screen.wait()
 
     def forget(self) -> None:
-        """Leave nothing to the next test."""
+        """Delete cookies and storage before the next test."""
         self.evaluate("location.protocol.startsWith('http') && (localStorage.clear(), sessionStorage.clear())")
         self.driver.delete_all_cookies()
         self.goto("about:blank")
@@ -89,7 +89,7 @@ class Page:
         time.sleep(ms / 1000)
 
     def set_viewport_size(self, size: dict[str, int]) -> None:
-        """Make the window so large that its page has this size, and wait for it: a window has a least width."""
+        """Resize the window until its page has this size. A window has a minimum width."""
         for _ in range(40):
             rect, inner = self.driver.get_window_rect(), self.evaluate("[innerWidth, innerHeight]")
             if inner == [size["width"], size["height"]]:
@@ -103,7 +103,7 @@ class Page:
 
 
 class Mouse:
-    """The mouse, as Playwright has it."""
+    """The mouse, with Playwright's interface."""
 
     def __init__(self, driver: webdriver.WebKitGTK) -> None:
         self.at, self.builder = (0, 0), ActionBuilder(driver, mouse=PointerInput("mouse", "mouse"), duration=0)
@@ -131,19 +131,19 @@ class Mouse:
 
 
 class Keyboard:
-    """The keyboard, as Playwright has it."""
+    """The keyboard, with Playwright's interface."""
 
     def __init__(self, driver: webdriver.WebKitGTK) -> None:
         self.driver = driver
 
     def press(self, keys: str) -> None:
         """Press a key, such as ArrowLeft, a or Control+z."""
-        *held, key = map(_named, re.split(r"\+(?=.)", keys))
+        *modifiers, key = map(_character, re.split(r"\+(?=.)", keys))
         chain = ActionChains(self.driver, duration=0)
-        for each in held:
+        for each in modifiers:
             chain.key_down(each)
         chain.send_keys(key)
-        for each in held:
+        for each in modifiers:
             chain.key_up(each)
         chain.perform()
 
@@ -151,6 +151,6 @@ class Keyboard:
         ActionChains(self.driver, duration=0).send_keys(text).perform()
 
 
-def _named(key: str) -> str:
+def _character(key: str) -> str:
     """Return WebDriver's character for a key's name."""
     return getattr(Keys, re.sub(r"(?<=[a-z])(?=[A-Z])", "_", key).upper(), key) if len(key) > 1 else key

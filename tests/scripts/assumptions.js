@@ -1,8 +1,8 @@
-// What the app assumes about the pages of Streamlit and Plotly. The file is one function of components/streamlit_dom.js, which
-// returns for each assumption what it is for, and whether the present page agrees; null where it has nothing of the kind.
+// The app's assumptions about the pages of Streamlit and Plotly, as a function of the module components/streamlit_dom.js. It
+// returns, for each assumption with its purpose, whether the page satisfies it; null if the page has no such element.
 
 ({ dom }) => {
-  const one = (selector) => Boolean(document.querySelector(selector));
+  const exists = (selector) => Boolean(document.querySelector(selector));
   const each = (selector, holds) => {
     const nodes = [...document.querySelectorAll(selector)];
     return nodes.length ? nodes.every(holds) : null;
@@ -10,16 +10,16 @@
   const save = ".js-plotly-plot .modebar-group:first-child > .modebar-btn:first-child";
   const assumptions = {
     "a slider with the key m is a range input in an element of the class st-key-m": [
-      "the stage follows a thumb, a box shows what its slider holds",
+      "the stage follows a thumb, a box shows the value of its slider",
       () => ["min", "max", "step", "value"].every((name) => Number(dom.slider("m")?.[name]) > 0),
     ],
     "a slider's track is a group": [
       "a finger on a slider scrolls the page, unless it moves sideways",
       () => each(".stSlider", (slider) => slider.querySelector("[role=group]")),
     ],
-    "stApp tells the state of the connection, and of a run": [
-      "the notice that the page reconnects; a wall that hears nothing is loaded anew",
-      () => one("[data-testid=stApp][data-test-connection-state][data-test-script-state=notRunning]"),
+    "stApp has the state of the connection and of a run as attributes": [
+      "the notice that the page reconnects, the reload of an idle wall",
+      () => exists("[data-testid=stApp][data-test-connection-state][data-test-script-state=notRunning]"),
     ],
     "a component has the colour scheme of the page": [
       "figures follow a switch of the theme",
@@ -27,10 +27,10 @@
     ],
     "main scrolls, and its content is the child of stMainBlockContainer": [
       "the machine is brought into view, figures fit on paper",
-      () => dom.main()?.matches("main") === true && one(".stMainBlockContainer > *"),
+      () => dom.main()?.matches("main") === true && exists(".stMainBlockContainer > *"),
     ],
     "there is one header above main": [
-      "a phone's bar of pages, what stands around a projector's slide",
+      "a phone's bar of pages, the surroundings of a projector's slide",
       () => document.querySelectorAll("header").length === 1,
     ],
     "the sidebar stSidebar contains the controls": [
@@ -42,7 +42,7 @@
       () => each(".stSidebar nav", (nav) => nav.querySelector("ul a[data-testid=stSidebarNavLink][aria-current=page]")),
     ],
     "formulas in stMarkdown are set by KaTeX": [
-      "wide formulas scroll by themselves",
+      "wide formulas scroll in their own boxes",
       () => each(".stMarkdown .katex-display", (formula) => formula.querySelector(":scope > .katex .base")),
     ],
     "a graph is of the class js-plotly-plot, with curves, layout and events": [
@@ -54,7 +54,7 @@
       () => each(save, (button) => dom.graphOf(button)._context.toImageButtonOptions.format === "svg"),
     ],
     "a rectangle of the class nsewdrag covers each panel of a graph": [
-      "where ring and time cursor are drawn",
+      "the positions of ring and time cursor",
       () =>
         each(".js-plotly-plot:has(.xaxislayer-above > *)", (graph) => {
           const [panel] = dom.panels(graph);

@@ -1,6 +1,7 @@
+// Returns the elements whose text is cut at the side, with this text.
 () => {
-  const found = [];
-  const cut = (node) => {
+  const cuts = [];
+  const isCut = (node) => {
     const style = getComputedStyle(node);
     const hides = ["hidden", "clip"].includes(style.overflowX) || style.textOverflow === "ellipsis";
     return hides && node.clientWidth > 1 && node.scrollWidth > node.clientWidth + 1 && node.innerText?.trim()
@@ -9,11 +10,11 @@
   const walk = (root) => {
     for (const node of root.querySelectorAll("*")) {
       if (node.shadowRoot) walk(node.shadowRoot);
-      if (cut(node)) found.push(`${node.className}: ${node.innerText.slice(0, 60)}`);
+      if (isCut(node)) cuts.push(`${node.className}: ${node.innerText.slice(0, 60)}`);
     }
   };
   walk(document.body);
   const main = document.querySelector("[data-testid=stMain]");
-  if (main.scrollWidth > main.clientWidth) found.push("the page scrolls sideways");
-  return found;
+  if (main.scrollWidth > main.clientWidth) cuts.push("the page scrolls sideways");
+  return cuts;
 }

@@ -1,3 +1,5 @@
+// Records the first frame with a machine in window.first, and the positions of a heading in window.heights. The second run of the
+// first page cannot be requested by arrival.js's timer of 10 s.
 const look = () => {
   const stage = document.querySelector(".st-key-stage");
   const root = stage?.querySelector("[data-testid=stBidiComponentIsolated]")?.shadowRoot;

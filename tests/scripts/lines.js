@@ -1,3 +1,4 @@
+// Returns the lines of all visible paragraphs as texts.
 () => [...document.querySelectorAll(".stMarkdown :is(p, li), [data-testid=stCaptionContainer] p")]
   .filter((each) => each.checkVisibility() && !each.closest("[data-collapsed=true]")).flatMap((each) => {
     const lines = [], range = document.createRange();

@@ -1,3 +1,4 @@
+// Measures the drawn picture of the stage; all positions are in pixels of the window. See tests/picture.py.
 () => {
   const root = document.querySelector('.st-key-stage [data-testid=stBidiComponentIsolated]').shadowRoot;
   const all = (selector) => [...root.querySelectorAll(selector)];
@@ -13,20 +14,20 @@
     const { x, y, width, height } = node.getBBox();
     return at(node, x + width / 2, y + height / 2);
   };
-  const turned = ([x0, y0], [x1, y1]) => (Math.atan2(x1 - x0, y0 - y1) * 180) / Math.PI;
+  const direction = ([x0, y0], [x1, y1]) => (Math.atan2(x1 - x0, y0 - y1) * 180) / Math.PI;
   const byKey = (selector, key, read) =>
     Object.fromEntries(all(selector).map((node) => [node.dataset[key], read(node)]));
   const roller = (name) => {
     const form = root.querySelector(`.moving .${name} .form`), mark = root.querySelector(`.moving .${name} .mark`);
     const end = mark.getPointAtLength(mark.getTotalLength()), centre = middle(form), scale = form.getScreenCTM();
     const radius = (form.getBBox().width / 2) * Math.hypot(scale.a, scale.b);
-    return { centre, radius, angle: turned(centre, at(mark, end.x, end.y)) };
+    return { centre, radius, angle: direction(centre, at(mark, end.x, end.y)) };
   };
   const hand = (name) => {
     const line = root.querySelector(`.hand.${name}`);
-    return turned(at(line, 0, 0), at(line, line.x2.baseVal.value, line.y2.baseVal.value));
+    return direction(at(line, 0, 0), at(line, line.x2.baseVal.value, line.y2.baseVal.value));
   };
-  const numbered = (selector) => all(selector).map((node) => {
+  const labels = (selector) => all(selector).map((node) => {
     const { x, width } = node.getBoundingClientRect();
     return [parseFloat(node.textContent.replace("−", "-")), x + width / 2];
   });
@@ -58,8 +59,8 @@
   const whole = root.querySelector(".bar").getBoundingClientRect().width;
   return {
     rollers: Object.fromEntries(['hoop', 'cylinder', 'top'].map((name) => [name, roller(name)])),
-    ruler: numbered(".ruler text"),
-    ticks: numbered(".gauge .ticks text"),
+    ruler: labels(".ruler text"),
+    ticks: labels(".gauge .ticks text"),
     pointer: at(root.querySelector(".gauge .pointer"), 0, 0)[0],
     bars: byKey(".bar i", "body", (bar) => bar.getBoundingClientRect().width / whole),
     shares: all(".legend b").map((text) => parseFloat(text.textContent)),

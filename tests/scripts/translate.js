@@ -1,14 +1,14 @@
-// Does what the translators of Chrome and Edge do: puts a <font> in the place of each text, also of one that comes later. The
-// words become capitals, so that one sees what was translated. Shadow trees stay as they are, as in Chrome.
+// Translates the page as Chrome and Edge do: it replaces each text, also later ones, by a <font>. The translation consists of
+// capital letters. As in Chrome, shadow trees are not translated.
 () => {
-  const KEPT = "script, style, textarea, svg, [translate=no], .notranslate, font";
+  const EXCLUDED = "script, style, textarea, svg, [translate=no], .notranslate, font";
   const translate = (node) => {
     if (!node.isConnected) return;
     if (node.nodeType === Node.ELEMENT_NODE) {
       const walker = document.createTreeWalker(node, NodeFilter.SHOW_TEXT), texts = [];
       while (walker.nextNode()) texts.push(walker.currentNode);
       texts.forEach(translate);
-    } else if (node.nodeType === Node.TEXT_NODE && node.data.trim() && !node.parentElement.closest(KEPT)) {
+    } else if (node.nodeType === Node.TEXT_NODE && node.data.trim() && !node.parentElement.closest(EXCLUDED)) {
       const outer = document.createElement("font"), inner = document.createElement("font");
       inner.textContent = node.data.toUpperCase();
       outer.append(inner);
@@ -16,7 +16,7 @@
     }
   };
   translate(document.body);
-  // A translator looks some time after a change.
+  // A translator reacts some time after a change.
   new MutationObserver((records) => {
     const nodes = records.flatMap(({ addedNodes, target, type }) => (type === "characterData" ? target : [...addedNodes]));
     setTimeout(() => nodes.forEach(translate), 50);

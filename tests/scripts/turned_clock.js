@@ -1,4 +1,4 @@
-// A clock that the test turns by frames of a twentieth of a second: a story of half a minute is told at once.
+// Replaces the browser's clock. turn(frames) advances it by frames of 0.05 s, so a story of half a minute passes at once.
 () => {
   let now = performance.now(), waiting = [];
   window.requestAnimationFrame = (draw) => waiting.push(draw);

@@ -1,3 +1,4 @@
+// Returns the formulas that a line break separates from the punctuation mark after them.
 () => [...document.querySelectorAll('[data-testid=stMain] .katex')].filter((formula) => {
   const after = formula.nextSibling;
   if (after?.nodeType !== Node.TEXT_NODE || !/^[.,;:!?]/.test(after.data) || !formula.checkVisibility()) return false;
