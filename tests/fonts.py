@@ -1,17 +1,18 @@
 """Cut the fonts of the app, `ramanujan/browser/components/fonts/`, out of Streamlit's.
 
-They keep Latin, Greek, signs and two weights.
+The result contains Latin, Greek, signs and two weights.
 
     python -m tests.fonts
 
-The ranges are those that page.css promises. The files bear other names than their originals, as the licence asks.
+page.css defines the ranges of characters. The files have other names than their originals, as the licence requires.
 
-The icons are those whose names stand in the app's own modules, or as `:material/name:` in Streamlit's scripts.
+The font of icons contains the icons whose names occur in the app's modules, or as `:material/name:` in Streamlit's
+scripts.
 
-The fonts set symbols as KaTeX does, in KaTeX's letters: Greek letters and the prime always, and a Latin letter that
-stands alone (OpenType’s contextual alternates). So Ω²m/k is a formula wherever it stands, in a text, on a button or in
-a figure, and the text itself stays plain for screen readers, searches and copies. Letters of words, units and initials
-keep their own form.
+The fonts draw symbols like KaTeX, with KaTeX's letters: Greek letters and the prime always, and a single Latin letter
+by context (OpenType's contextual alternates). Therefore Ω²m/k looks like a formula in a text, on a button and in a
+figure, while the text remains plain for screen readers, searches and copies. Letters of words, units and initials are
+not changed.
 """
 
 import html
@@ -43,15 +44,15 @@ FONTS = {
     "text": ("SourceSansVF-Upright", "", {"wght": (400, 700)}),
     "symbols": ("SourceSansVF-Italic", "", {"wght": 400}),
 }
-"""File → its original's name, the weight of KaTeX's letters that it has for symbols, and the kept part of each axis."""
+"""File → name of its original, weight of KaTeX's letters for its symbols, and range of each axis."""
 SCALE, RAISED = 1.05, (0.7, 0.363)
-"""How large a formula in a text is, compared with its words (type.css); size and height of a prime in KaTeX [em]."""
+"""Size of a formula relative to the text (type.css); size and height of a prime in KaTeX [em]."""
 BESIDE = 140
-"""How much room what is raised has on its right, for each em that it is raised; in KaTeX 0.05 em."""
+"""Space to the right of a raised glyph, for each em of its height; in KaTeX 0.05 em."""
 SLOPE = 0.25
-"""By how much KaTeX's italics lean."""
+"""The slope of KaTeX's italics."""
 LATIN = "KMRTXbchkmpqtvx"
-"""What is a symbol where it stands alone; a is a word."""
+"""Letters that are symbols when they are not part of a word; a is also a word."""
 SYMBOLS = """
 languagesystem DFLT dflt; languagesystem latn dflt; languagesystem grek dflt;
 @letter = [{letters}]; @small = [{small}]; @capital = [{capitals}]; @digit = [{digits}];
@@ -64,22 +65,22 @@ feature calt {{
     sub m' m {prime} by m.italic;
     sub a' periodcentered by a.italic; sub a' space equal by a.italic; sub @digit a' [parenright c] by a.italic;
   }} formulas;
-  lookup alone {{
+  lookup single {{
     ignore sub [@letter quotesingle quoteright] @symbol', @symbol' [@letter @digit quoteright hyphen];
     ignore sub {thin_space} @symbol', bracketleft m', N slash m', [g N] periodcentered m', @capital' period;
     sub @symbol' by @italic;
-  }} alone;
+  }} single;
 }} calt;
 """
 PRIME = 0x2032
 COPYRIGHT_AND_LICENCE = [0, 13, 14]
 FAMILY, STYLE, FULL, POSTSCRIPT = 1, 2, 4, 6
-"""Numbers of a font's names."""
+"""Ids of a font's names."""
 
 
 def main() -> None:
     for name, (original, bold, axes) in FONTS.items():
-        font = cut(original, axes, promised(name))
+        font = cut(original, axes, code_points(name))
         set_symbols(font, original_of(f"KaTeX_Math-{bold}Italic"), original_of(f"KaTeX_Main-{bold or 'Regular'}"))
         family = f"Ramanujan {name.title()}"
         names = {FAMILY: family, STYLE: "Regular", FULL: family, POSTSCRIPT: family.replace(" ", "")}
@@ -89,17 +90,17 @@ def main() -> None:
         font.save(PAGE / "fonts" / f"{name}.woff2")
     icons().save(PAGE / "icons.woff2")
     for name in FONTS:
-        cut_for_the_file(name).save(STANDALONE / f"{name}.woff2")
+        cut_for_standalone(name).save(STANDALONE / f"{name}.woff2")
 
 
-def cut_for_the_file(name: str) -> TTFont:
-    """Return one of the app's fonts with the characters that the standalone file shows in the complete languages."""
+def cut_for_standalone(name: str) -> TTFont:
+    """Return one of the app's fonts with the characters of the standalone file in all complete languages."""
     files = [standalone(language) for language in ("en", *COMPLETE)]
     if name == "headings":
         files = [heading for file in files for heading in re.findall(r"<h[12]>(.*?)</h", file)]
     font = TTFont(PAGE / "fonts" / f"{name}.woff2")
     if name == "headings":
-        font = _saved(instancer.instantiateVariableFont(font, {"wght": 600}))
+        font = _reload(instancer.instantiateVariableFont(font, {"wght": 600}))
     options = subset.Options(hinting=False, name_IDs=COPYRIGHT_AND_LICENCE, layout_features=["*"])
     cutter = subset.Subsetter(options)
     cutter.populate(text="".join(files))
@@ -117,31 +118,34 @@ def standalone(language: str) -> str:
 
 
 def icons() -> TTFont:
-    """Return Streamlit's font of icons with those alone that the app or Streamlit may draw; a name is a ligature."""
+    """Return Streamlit's font of icons, reduced to the icons of the app and of Streamlit. A name is a ligature."""
     own = [path.read_text(encoding="utf-8") for path in (ROOT / "ramanujan").rglob("*.py")]
     scripts = [path.read_text(encoding="utf-8") for path in (ORIGINALS.parent / "js").glob("*.js")]
-    named = set(re.findall(r":material/([a-z0-9_]+):", "\n".join(own + scripts)))
-    named.update(re.findall(r"['\"]([a-z0-9_]+)['\"]", "\n".join(own)))
+    used = set(re.findall(r":material/([a-z0-9_]+):", "\n".join(own + scripts)))
+    used.update(re.findall(r"['\"]([a-z0-9_]+)['\"]", "\n".join(own)))
     font = original_of("MaterialSymbols-Rounded")
-    drawn = ligatures(font)
+    glyphs = ligatures(font)
     options = subset.Options(layout_closure=False, hinting=False, name_IDs=[*COPYRIGHT_AND_LICENCE, FAMILY])
     cutter = subset.Subsetter(options)
-    cutter.populate(text="abcdefghijklmnopqrstuvwxyz0123456789_ ", glyphs=[drawn[name] for name in named & set(drawn)])
+    drawn = [glyphs[name] for name in used & set(glyphs)]
+    cutter.populate(text="abcdefghijklmnopqrstuvwxyz0123456789_ ", glyphs=drawn)
     cutter.subset(font)
     font.flavor = "woff2"
     return font
 
 
 def ligatures(font: TTFont) -> dict[str, str]:
-    """Return name → glyph of the icons of a font: it draws a name as one sign."""
+    """Return name → glyph of the icons of a font, read from its ligatures."""
     letters = {glyph: chr(code) for code, glyph in font.getBestCmap().items()}
-    return {
-        "".join(letters[part] for part in (first, *each.Component)): each.LigGlyph
-        for lookup in font["GSUB"].table.LookupList.Lookup
-        for table in lookup.SubTable
-        for first, drawn in getattr(getattr(table, "ExtSubTable", table), "ligatures", {}).items()
-        for each in drawn
-    }
+    glyphs = {}
+    for lookup in font["GSUB"].table.LookupList.Lookup:
+        for table in lookup.SubTable:
+            extended = getattr(table, "ExtSubTable", table)
+            for first, rest in getattr(extended, "ligatures", {}).items():
+                for ligature in rest:
+                    name = "".join(letters[part] for part in (first, *ligature.Component))
+                    glyphs[name] = ligature.LigGlyph
+    return glyphs
 
 
 def original_of(name: str) -> TTFont:
@@ -151,8 +155,8 @@ def original_of(name: str) -> TTFont:
 
 
 def cut(original: str, axes: dict[str, object], codes: set[int]) -> TTFont:
-    """Return one of Streamlit's fonts with these characters alone."""
-    font = _saved(instancer.instantiateVariableFont(original_of(original), axes))
+    """Return one of Streamlit's fonts with only these characters."""
+    font = _reload(instancer.instantiateVariableFont(original_of(original), axes))
     options = subset.Options(hinting=False, name_IDs=COPYRIGHT_AND_LICENCE, glyph_names=True)
     options.layout_features = ["kern", "mark"]
     cutter = subset.Subsetter(options)
@@ -162,9 +166,9 @@ def cut(original: str, axes: dict[str, object], codes: set[int]) -> TTFont:
 
 
 def set_symbols(font: TTFont, italic: TTFont, upright: TTFont) -> None:
-    """Give a font KaTeX's letters for its symbols, and dots over X and Φ in their middle.
+    """Add KaTeX's letters for symbols to a font, and centred dots over X and Φ.
 
-    They are as heavy in bold text, as in KaTeX's own formulas.
+    They have the same weight in bold text, as in KaTeX's formulas.
     """
     names = font.getBestCmap()
     italics, uprights = (each.getBestCmap() for each in (italic, upright))
@@ -179,7 +183,7 @@ def set_symbols(font: TTFont, italic: TTFont, upright: TTFont) -> None:
     for base, letter, slope in dotted:
         _put_dot(font, f"{base}.dot", letter, names[0x307], slope)
     for table in font["cmap"].tables:
-        # Firefox looks for the one character before it looks for two. The sign of a millionth is not the symbol μ.
+        # Firefox prefers the precomposed character. The prefix µ (micro) is another character than the symbol μ.
         table.cmap |= {code: own for code, own in ((0x1E8A, "X.dot"), (0x3BC, "mu.symbol")) if code in table.cmap}
     letters = {code: name for code, name in names.items() if chr(code).isalpha() and code < 0x370}
     classes = {
@@ -204,7 +208,7 @@ def set_symbols(font: TTFont, italic: TTFont, upright: TTFont) -> None:
 
 
 def _put(font: TTFont, name: str, source: TTFont, glyph: str, size: float = 1, up: float = 0) -> None:
-    """Give a font a letter of KaTeX's as its own, so large as a formula in a text, the same in every weight."""
+    """Add a glyph of KaTeX to a font, in the size of a formula in a text, with the same weight in every style."""
     pen = TTGlyphPen(None)
     scale = SCALE * size
     source.getGlyphSet()[glyph].draw(TransformPen(pen, (scale, 0, 0, scale, 0, SCALE * up * 1000)))
@@ -216,7 +220,7 @@ def _put(font: TTFont, name: str, source: TTFont, glyph: str, size: float = 1, u
 
 
 def _put_dot(font: TTFont, name: str, letter: str, dot: str, slope: float) -> None:
-    """Add a letter with the dot above it, over the middle of the letter at the height of the dot."""
+    """Add a letter with a dot above its centre."""
     glyphs, (base, above) = font["glyf"], (font["glyf"][letter], font["glyf"][dot])
     up = base.yMax - font["OS/2"].sxHeight
     height = (above.yMin + above.yMax - base.yMin - base.yMax) / 2 + up
@@ -225,21 +229,21 @@ def _put_dot(font: TTFont, name: str, letter: str, dot: str, slope: float) -> No
     pen.addComponent(letter, (1, 0, 0, 1, 0, 0))
     pen.addComponent(dot, (1, 0, 0, 1, round(across), up))
     glyphs[name], font["hmtx"][name] = pen.glyph(), font["hmtx"][letter]
-    # Bolder, it becomes as wide as its letter: the last four deltas are those of the letter's frame.
+    # In bold text it has the width of its letter: the last four deltas are those of the letter's frame.
     frames = [(each.axes, each.coordinates[-4:]) for each in font["gvar"].variations[letter]]
     font["gvar"].variations[name] = [TupleVariation(axes, [(0, 0), (0, 0), *frame]) for axes, frame in frames]
 
 
-def promised(name: str) -> set[int]:
-    """Return the characters that page.css promises of a font."""
+def code_points(name: str) -> set[int]:
+    """Return the code points of a font in page.css."""
     rules = (PAGE / "page.css").read_text(encoding="utf-8")
     ranges = re.findall(rf"{name}\.woff2[^}}]*unicode-range: ([^;]+);", rules)
     ends = (part.removeprefix("U+").partition("-") for part in ", ".join(ranges).split(", "))
     return {code for first, _, last in ends for code in range(int(first, 16), int(last or first, 16) + 1)}
 
 
-def _saved(font: TTFont) -> TTFont:
-    """Return a font as it is read after it has been saved: only then do all its tables know the kept part."""
+def _reload(font: TTFont) -> TTFont:
+    """Save a font and load it again, so that all of its tables are reduced to the instance."""
     file = io.BytesIO()
     font.flavor = None
     font.save(file)

@@ -20,32 +20,32 @@ from tests.test_browser_print import SHEETS, check_printed
 from tests.test_look import THEME, rgb
 
 OF_STREAMLIT = r"/Source(Sans|Serif)\w*-(Upright|Roman)"
-"""The addresses of Streamlit's text fonts, which a character brings that the app's own lack."""
+"""Addresses of Streamlit's text fonts, which a browser loads for characters that the app's fonts lack."""
 AXE = files("axe_playwright_python").joinpath("axe.min.js")
 TAGS = ["wcag2a", "wcag2aa", "wcag21a", "wcag21aa", "wcag22aa", "best-practice"]
 OPEN = """() => {
   for (const each of document.querySelectorAll("details:not([open]) > summary")) each.click();
 }"""
 OF_THE_SCREEN = ["color-contrast", "link-in-text-block", "scrollable-region-focusable", "target-size"]
-"""The rules whose verdict hangs on the theme or on the width."""
-FOUND = """([within, rules]) => axe.run({ include: within, exclude: ".katex-html" },
+"""The rules that depend on the theme or on the width."""
+VIOLATIONS = """([within, rules]) => axe.run({ include: within, exclude: ".katex-html" },
     { runOnly: rules, resultTypes: ["violations"] })
   .then((result) => result.violations.flatMap((each) => each.nodes.map((node) =>
     `${each.id}: ${node.target.flat().join(" ")} ${node.html.slice(0, 160)}`)))"""
-"""What axe-core finds outside of formulas, whose inks test_look compares with their papers."""
+"""The violations that axe-core reports outside of formulas; test_look checks the contrast of formulas."""
 REACHED = """() => [...document.querySelectorAll(".stMarkdown *, [class*=st-key-]")].every((box) => box.tabIndex === 0
   || box.scrollWidth <= box.clientWidth || !/auto|scroll/.test(getComputedStyle(box).overflowX)
   || box.querySelector("button, input, a, [tabindex='0']"))"""
-"""Whether every box that scrolls sideways takes the focus, which it learns a moment after the page has changed."""
+"""Whether every box that scrolls sideways takes the focus; reach.js sets this shortly after a change of the page."""
 HEADINGS = """() => [...document.querySelectorAll("h1, h2, h3, h4, h5, h6")]
   .filter((each) => each.checkVisibility()).map((each) => Number(each.tagName[1]))"""
-"""Levels of the headings in their order."""
+"""The levels of the headings in their order."""
 
 REGIONS = ":is(main, .stSidebar) :is([role=status], [aria-live]:not([aria-live=off]), output:not([aria-hidden=true]))"
-"""Every place of the page that a screen reader announces; Playwright looks into the components, too."""
+"""Every landmark of the page, including the components."""
 
 LINES = script("lines")
-"""The lines of all paragraphs, as they are broken on the screen; a small index counts as a letter."""
+"""The lines of all paragraphs on the screen; a small index counts as a letter."""
 TICKS = "[...document.querySelectorAll('.js-plotly-plot .xtick text')].map((each) => each.style.fill)"
 FACES = """() => [...document.querySelectorAll(".js-plotly-plot text")].filter((each) => each.textContent.trim())
   .map((each) => getComputedStyle(each).fontFamily)"""
@@ -59,11 +59,11 @@ OUTSIDE = """() => [...document.querySelectorAll(".js-plotly-plot")].flatMap((gr
     return box.left < home.left - 1 || box.right > home.right + 1 || box.top < home.top - 1;
   }).map((label) => label.textContent);
 })"""
-"""The labels of figures that are cut."""
+"""The cut labels of figures."""
 
 
 def switch(page, theme: str) -> None:
-    """Switch the theme, and wait until the server's colours have followed."""
+    """Switch the theme, and wait for the colours from the server."""
     page.emulate_media(color_scheme=theme, reduced_motion="reduce")
     paper = THEME[theme]["backgroundColor"]
     until(
@@ -71,15 +71,15 @@ def switch(page, theme: str) -> None:
         """([theme, paper]) => document.documentElement.dataset.theme === theme &&
           getComputedStyle(document.documentElement).getPropertyValue('--paper') === paper""",
         [theme, paper],
-        120,  # Plotly measures each word of a page of five figures in both themes and at both widths
+        120,  # Plotly measures each word of five figures in both themes and at both widths
     )
 
 
 def audit(page, rules: list[str] = TAGS, within: str = "html") -> list[str]:
-    """What axe-core finds now in a part of the page, once the page has come to rest."""
+    """Return axe-core's violations in a part of the page, once the page is idle."""
     settle(page)
     until(page, REACHED)
-    return page.evaluate(FOUND, [within, rules])
+    return page.evaluate(VIOLATIONS, [within, rules])
 
 
 def check_title_and_headings(page, name: str) -> None:
@@ -91,22 +91,23 @@ def check_title_and_headings(page, name: str) -> None:
     assert levels.count(1) == 1
     assert levels[0] == 1
     assert all(after <= before + 1 for before, after in pairwise(levels))
-    # Each title is another one: tabs can be told apart.
+    # Each page has another title, so that tabs can be distinguished.
     assert len({PAGES[each].title for each in PAGES}) == len(PAGES)
 
 
-def check_requests(asked: list[str], server: str) -> None:
-    """Check that no other server was asked, nor for Streamlit's text fonts, six times as large as the app's own.
+def check_requests(requested: list[str], server: str) -> None:
+    """Check that no request went to another server, and none for Streamlit's large text fonts.
 
-    A classroom may have no internet, and who visits the app is nobody else's business.
+    A classroom may have no internet connection, and a visit to the app must stay private.
     """
-    assert len(asked) > 1
-    assert [url for url in asked if not url.startswith((server, server.replace("http", "ws"), "data:", "blob:"))] == []
-    assert [url for url in asked if re.search(OF_STREAMLIT, url)] == []
+    assert len(requested) > 1
+    own = (server, server.replace("http", "ws"), "data:", "blob:")
+    assert [url for url in requested if not url.startswith(own)] == []
+    assert [url for url in requested if re.search(OF_STREAMLIT, url)] == []
 
 
 def check_words(page, longest: int) -> None:
-    """Check that lines are short, begin with no full stop, and that figures are set in the page's typeface."""
+    """Check that lines are short and begin with no full stop, and that figures have the page's typeface."""
     lines = page.evaluate(LINES)
     assert len(lines) > 3
     assert [line for line in lines if len(line) > longest] == []
@@ -119,7 +120,7 @@ def check_words(page, longest: int) -> None:
 
 
 def check_figures_follow(page, inks: list[str]) -> None:
-    """Check that no figure keeps an ink of the theme before, and that nothing asks the server for ever."""
+    """Check that no figure has a colour of the previous theme, and that reruns come to an end."""
     until(page, f"(before) => !{TICKS}.some((ink) => before.includes(ink))", inks)
     settle(page)
     sent = len(traffic(page).sent)
@@ -128,7 +129,7 @@ def check_figures_follow(page, inks: list[str]) -> None:
 
 
 def check_control(page) -> None:
-    """Negative control: what axe-core, the list of requests and the policy are asked to find they find."""
+    """Negative control: axe-core, the list of requests and the policy detect violations."""
     page.evaluate("document.querySelector('h1').insertAdjacentHTML('afterend', '<h4 style=color:#aaa>faint</h4><img>')")
     assert {each.partition(":")[0] for each in audit(page)} == {"color-contrast", "heading-order", "image-alt"}
     with page.expect_request(lambda request: re.search(OF_STREAMLIT, request.url)):
@@ -155,7 +156,7 @@ RING = """(node) => {
 
 
 def check_focus(page, theme: str, focused: tuple[str, ...]) -> None:
-    """Check that whatever has the focus shows it in the theme's colour."""
+    """Check that the focus is visible in the theme's colour."""
     ring = [3, "rgb({}, {}, {})".format(*rgb(THEME[theme]["primaryColor"]))]
     for selector in focused:
         assert page.locator(f"{selector} >> visible=true").first.evaluate(RING) == ring, selector
@@ -163,18 +164,18 @@ def check_focus(page, theme: str, focused: tuple[str, ...]) -> None:
 
 @pytest.mark.parametrize("name", PAGES)
 def test_everyone_can_use_and_read_a_page(visit, server, name):
-    asked: list[str] = []
-    page = visit(PAGES[name].address, REFUSED, SHIFTS, note=asked.append, bypass_csp=False, theme="dark")
-    check_requests(asked, server)
+    requested: list[str] = []
+    page = visit(PAGES[name].address, REFUSED, SHIFTS, note=requested.append, bypass_csp=False, theme="dark")
+    check_requests(requested, server)
     check_calm(page, name)
     check_widths(page)
     page.set_viewport_size({"width": 1920, "height": 1080})
     check_title_and_headings(page, name)
     page.evaluate(OPEN)
     settle(page)
-    # A worksheet is a sheet of paper: its words are as long as its lines for answers.
+    # On a worksheet, the lines of text are as long as the lines for answers.
     check_words(page, 115 if name == "worksheet" else 75)
-    page.wait_for_load_state("networkidle")  # the fonts of formulas come last, and make them wider
+    page.wait_for_load_state("networkidle")  # the fonts of formulas load last and change their widths
     assert page.locator(REGIONS).count() == 1
     page.evaluate(AXE.read_text(encoding="utf-8"))
     assert audit(page) == []
@@ -190,14 +191,14 @@ def test_everyone_can_use_and_read_a_page(visit, server, name):
     inks = page.evaluate(TICKS)
     if name in SHEETS:
         check_printed(page, SHEETS[name])
-    # A theme changes nothing but colours, and a width no colours: two of the four see all of them.
+    # A theme changes only colours, and a width no colours, so two of the four combinations suffice.
     page.set_viewport_size({"width": 390, "height": 844})
     switch(page, "light")
     check_figures_follow(page, inks)
     assert audit(page, OF_THE_SCREEN) == []
     if name == "derivation":
         check_focus(page, "light", FOCUSED[1:])  # the sidebar is closed
-    for found in (OUTSIDE, OVERLAPS):  # Plotly draws anew some time after its width has changed
+    for found in (OUTSIDE, OVERLAPS):  # Plotly redraws some time after a change of its width
         until(page, f"() => ({found})().length === 0")
     for button in page.locator(FILES).all():
         button.click(force=True)
@@ -210,7 +211,7 @@ def test_everyone_can_use_and_read_a_page(visit, server, name):
 
 
 def check_wall(page, server: str) -> None:
-    """Check that the policy allows the wall of a class, which has a drawing in its address."""
+    """Check that the policy allows the wall of a class, which contains an image with a data: address."""
     page.goto(f"{server}/lesson")
     for name in ("door", "open"):
         page.locator(f".st-key-class_{name} button").first.click()

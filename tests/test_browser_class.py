@@ -21,7 +21,7 @@ from tests.browser import next_frame, script, settle, traffic
 
 WRONG = script("wall")
 SIZES = ((1024, 768), (1920, 1080), (1280, 768), (1280, 800), (3840, 2160))
-"""Of walls; the lesson is played on the first two."""
+"""Sizes of walls; the lesson is played on the first two."""
 STOPS = [stop for stop in lesson.STOPS if stop.short]
 AT = "ramanujan.last('time/stage_two-clocks_0')"
 VOTES = ".st-key-class_phone [role=radiogroup] label"
@@ -37,7 +37,7 @@ WIDEST_CODE = """(node) => {
   text.textContent = before;
   return fits ? parseFloat(getComputedStyle(node).fontSize) : 0;
 }"""
-"""The letters' size [px] of a code on the wall, 0 if a code of the widest letters would not fit into one line."""
+"""The size of a code's letters on the wall [px]; 0 if a code of the widest letters does not fit into one line."""
 SPACED = """* { line-height: 1.5 !important; letter-spacing: .12em !important; word-spacing: .16em !important }
 p { margin-bottom: 2em !important }"""
 """The text spacing of WCAG 1.4.12."""
@@ -52,33 +52,33 @@ READABLE = """() => {
   const place = wall.querySelector(".st-key-wall_still, .st-key-wall_running").getBoundingClientRect();
   return words.length > 5 && words.every((box) => box.bottom <= Math.min(reach, place.top + 1) && box.right <= right);
 }"""
-"""Whether all words end above the machine, within what can be scrolled, and nothing is cut at the right edge."""
+"""Whether all words are above the machine and inside of the scrollable area, and no word is cut at the right edge."""
 
-ASK_WHEN_TOLD = """(() => {
-  const asks = new Map(), begin = setInterval, end = clearInterval;
-  globalThis.setInterval = (ask, pause, ...more) => {
-    const id = begin(pause > 400 ? () => undefined : ask, pause, ...more);
-    if (pause > 400) asks.set(id, ask);
+RERUN_ON_DEMAND = """(() => {
+  const acts = new Map(), begin = setInterval, end = clearInterval;
+  globalThis.setInterval = (act, pause, ...more) => {
+    const id = begin(pause > 400 ? () => undefined : act, pause, ...more);
+    if (pause > 400) acts.set(id, act);
     return id;
   };
-  globalThis.clearInterval = (id) => (asks.delete(id), end(id));
-  globalThis.hear = () => asks.forEach((ask) => ask());
+  globalThis.clearInterval = (id) => (acts.delete(id), end(id));
+  globalThis.rerun = () => acts.forEach((act) => act());
   const later = setTimeout;
   globalThis.setTimeout = (act, pause, ...more) => (pause > 10_000 ? 0 : later(act, pause, ...more));
 })()"""
-"""What a page does by itself every few seconds it does when the test says so: nine pages would ask all the time.
+"""Replaces the periodic reruns of a page by reruns on demand, because nine pages would rerun all the time.
 
-Nor does a wall that hears nothing for long load itself anew."""
+An idle wall does not reload itself."""
 
 
-def hear(*pages: Page) -> None:
-    """Let pages ask what is new."""
+def rerun(*pages: Page) -> None:
+    """Rerun pages, so that they show the present state of the class."""
     for page in pages:
-        page.evaluate("hear()")
+        page.evaluate("rerun()")
 
 
 def vote(phone: Page, number: int) -> None:
-    phone.bring_to_front()  # a tab behind another draws once a second
+    phone.bring_to_front()  # a tab in the background draws once a second
     sent = len(traffic(phone).sent)
     phone.locator(VOTES).nth(number).click()
     while len(traffic(phone).sent) == sent or traffic(phone).is_unanswered:
@@ -86,13 +86,13 @@ def vote(phone: Page, number: int) -> None:
     expect(phone.locator(VOTES).nth(number).locator("input")).to_be_checked()
     confirmation = phone.get_by_text("Your answer counts")
     confirmation.wait_for()
-    # The confirmation appears at the option: below its top, and above the next option.
+    # The confirmation is below the top of the option and above the next option.
     tops = [option.bounding_box()["y"] for option in phone.locator(VOTES).all()] + [float("inf")]
     assert tops[number] <= confirmation.bounding_box()["y"] <= tops[number + 1]
 
 
 def check_open_question_in_view(phone: Page) -> None:
-    """Check that question and options are in view on a small phone, upright and not."""
+    """Check that question and options are in view on a small phone in both orientations."""
     before = phone.viewport_size
     for width, height in ((390, 664), (844, 390)):
         phone.set_viewport_size({"width": width, "height": height})
@@ -105,15 +105,15 @@ def check_open_question_in_view(phone: Page) -> None:
 
 @pytest.fixture
 def screen(visit):
-    """Open the lesson's page on a screen of its own, which has a cookie of its own, or in another tab of one."""
+    """Open the lesson's page in a new browser context, or in another tab of an existing one."""
 
     def show(query: str, width: int = 390, height: int = 844, beside: Page | None = None) -> Page:
-        return visit(f"lesson?{query}", ASK_WHEN_TOLD, width=width, height=height, beside=beside)
+        return visit(f"lesson?{query}", RERUN_ON_DEMAND, width=width, height=height, beside=beside)
 
     return show
 
 
-def test_a_class_plays_the_short_lesson_from_a_phone_and_takes_home_what_it_voted(screen):
+def test_a_class_plays_the_short_lesson_from_a_phone_and_downloads_its_votes(screen):
     draw, cast, wrong = random.Random(1729), [], []
     desk = screen("")
     desk.locator(".st-key-class_door button").first.click()
@@ -129,7 +129,7 @@ def test_a_class_plays_the_short_lesson_from_a_phone_and_takes_home_what_it_vote
         each.get_by_text("The first question will appear here").wait_for()
     seats = [shared().join(code, f"student {number}") for number in range(2)]
     total = 1 + len(seats)
-    hear(*walls)
+    rerun(*walls)
     wall.get_by_text("3 students have joined").wait_for()
     letters = wall.locator(".st-key-class_letters [data-testid=stText]")
     assert letters.text_content().replace(" ", "") == code
@@ -144,14 +144,14 @@ def test_a_class_plays_the_short_lesson_from_a_phone_and_takes_home_what_it_vote
     assert len(secret) > 20
 
     def press(then: str) -> None:
-        """Press what goes on with a thumb, and wait until the desk can do the next thing."""
+        """Press the button of the next move, and wait until the desk shows the following one."""
         desk.bring_to_front()
         box = desk.locator(".st-key-class_moves [data-testid=stBaseButton-primary]").bounding_box()
         assert box["y"] + box["height"] <= 844
         desk.mouse.click(box["x"] + box["width"] / 2, box["y"] + box["height"] / 2)
         desk.locator(then).wait_for()
         settle(desk)
-        hear(*walls)
+        rerun(*walls)
 
     def whole(state: str) -> None:
         for each in walls:
@@ -160,19 +160,19 @@ def test_a_class_plays_the_short_lesson_from_a_phone_and_takes_home_what_it_vote
             wrong.extend((stop.id, state, each.viewport_size["width"], said) for said in each.evaluate(WRONG))
 
     def followed(leader: Page) -> None:
-        """Wait until the machines of walls and desks stand where that of the desk does that was touched last."""
+        """Wait until all walls and desks show the same moment as the leading desk."""
         place = leader.evaluate(AT)
         assert not place["playing"]
         for each in (desk, *walls):
             while [each.evaluate(AT)[key] for key in ("time", "periods")] != [
                 pytest.approx(place[key], abs=1e-4) for key in ("time", "periods")
             ]:
-                hear(each)
+                rerun(each)
                 each.wait_for_timeout(100)
 
     for number, stop in enumerate(STOPS, start=1):
         press(".st-key-class_reveal")
-        hear(phone)
+        rerun(phone)
         expect(wall.locator("h1")).to_have_text([stop.heading])
         whole("asked")
         expect(wall.locator(".face")).to_be_visible(visible=stop.dials)
@@ -184,8 +184,8 @@ def test_a_class_plays_the_short_lesson_from_a_phone_and_takes_home_what_it_vote
         own, *others = (draw.choice(options) for _ in range(total))
         vote(phone, options.index(own))
         if number == 1:
-            # Another tab shows the answer, and may change it; a reload keeps the last one.
-            hear(tab)
+            # Another tab shows the answer and can change it; a reload preserves the last answer.
+            rerun(tab)
             expect(tab.locator(VOTES).nth(options.index(own)).locator("input")).to_be_checked()
             own = options[options.index(own) - 1]
             vote(tab, options.index(own))
@@ -196,7 +196,7 @@ def test_a_class_plays_the_short_lesson_from_a_phone_and_takes_home_what_it_vote
             shared().vote(seat, stop.id, option)
         votes = Counter([own, *others])
         cast.append(votes)
-        hear(phone, desk, wall)
+        rerun(phone, desk, wall)
         expect(desk.locator(".st-key-class_desk")).to_contain_text("3 of 3 here have answered")
         assert wall.locator("[data-testid=stProgress]").count() == 0
 
@@ -210,7 +210,7 @@ def test_a_class_plays_the_short_lesson_from_a_phone_and_takes_home_what_it_vote
         assert wall.get_by_text("This is right").count() == 0
         whole("running")
         if number == 1:
-            # Another desk and a wall that is opened later begin where the others are, and each desk follows the other.
+            # A second desk and a later wall begin at the moment of the others; each desk follows the other.
             for _ in range(2):
                 desk.locator(".st-key-stage_two-clocks_0 [data-do=play]").click()
                 desk.wait_for_timeout(400)
@@ -233,8 +233,8 @@ def test_a_class_plays_the_short_lesson_from_a_phone_and_takes_home_what_it_vote
             assert wall.evaluate(AT)["periods"] == pytest.approx(stop.periods)
         if number % 3 != 2:
             continue
-        # The machine and the word on one's own answer are on the phone, too.
-        hear(phone)
+        # The phone also shows the machine and the reply to the student's answer.
+        rerun(phone)
         said = "it was your answer" if own == stop.answer() else stop.reply(own).replace("*", "")[:30]
         phone.get_by_text(said).first.wait_for()
         phone.locator("pre, .katex" if stop.exhibit else "svg.machine").first.wait_for()
@@ -261,12 +261,12 @@ def test_a_class_plays_the_short_lesson_from_a_phone_and_takes_home_what_it_vote
 
 
 def test_no_view_of_a_wall_is_cut_at_any_size(screen):
-    """After a second vote a wall has the most to show."""
+    """Check the state with the most content, after a second vote."""
     opened, found = shared().open_class(), []
     wall = screen(f"class={opened.code}&wall=on&view=projector")
 
     def look(state: str, heading: str) -> None:
-        hear(wall)
+        rerun(wall)
         expect(wall.locator("h1")).to_have_text([heading])
         settle(wall)
         for width, height in SIZES:
@@ -288,7 +288,7 @@ def test_no_view_of_a_wall_is_cut_at_any_size(screen):
     assert found == []
 
 
-def test_a_wall_loses_nothing_with_a_readers_text_spacing_and_ends_with_one_sentence(screen):
+def test_a_wall_is_complete_with_a_readers_text_spacing_and_ends_with_one_sentence(screen):
     opened, stop = shared().open_class(), lesson.STOPS[0]
     wall = screen(f"class={opened.code}&wall=on&view=projector", 1280, 768)
     shared().ask(opened.key, stop.id, list(stop.options))
@@ -296,14 +296,14 @@ def test_a_wall_loses_nothing_with_a_readers_text_spacing_and_ends_with_one_sent
     for phase in Phase:
         if phase:
             shared().show(opened.key, phase)
-        hear(wall)
+        rerun(wall)
         wall.get_by_text(stop.question if phase < Phase.SOLVED else "This is right").first.wait_for()
         settle(wall)
         wall.add_style_tag(content=SPACED)
         next_frame(wall)
         assert wall.evaluate(READABLE), phase.name
     shared().close(opened.key)
-    hear(wall)
+    rerun(wall)
     expect(wall.locator("h1")).to_have_count(0)
     box = wall.locator("[data-testid=stAlert]")
     x, y, width, _height = box.bounding_box().values()

@@ -16,7 +16,7 @@ from tests.engines import CALM, FIREFOX, skip_missing
 from tests.test_browser_access import OPEN
 
 MARGIN = 7
-"""Pixels around a control that belong to it: the ring of the focus lies outside of it."""
+"""Margin of a control [px]; it contains the ring of the focus."""
 CONTROLS = script("controls")
 BOX = """(i) => {
   const box = controls[i].shape.getBoundingClientRect();
@@ -31,7 +31,7 @@ FOCUS = "(i) => controls[i].node.focus({ focusVisible: true, preventScroll: true
 CALM_PAGE = (
     "[data-testid=stSliderThumbValue] { visibility: hidden } *, ::before, ::after { transition: none !important }"
 )
-"""A slider must be seen without its number, and no state while it changes into another."""
+"""Hides the number of a slider, which must be visible without it, and disables transitions between states."""
 
 
 def painted(page: Page, control: int) -> np.ndarray:
@@ -48,7 +48,7 @@ def painted(page: Page, control: int) -> np.ndarray:
 
 
 def differ(first: np.ndarray, second: np.ndarray) -> bool:
-    """Tell whether two pictures differ for the eye: in more than a few pixels, and by much."""
+    """Whether two pictures differ visibly: in more than a few pixels, and by a large amount."""
     if abs(first.shape[0] - second.shape[0]) > 2 or abs(first.shape[1] - second.shape[1]) > 2:
         return True
     height, width = (min(sizes) for sizes in zip(first.shape[:2], second.shape[:2], strict=True))
@@ -57,20 +57,20 @@ def differ(first: np.ndarray, second: np.ndarray) -> bool:
 
 
 def is_seen(picture: np.ndarray) -> bool:
-    """Tell whether there is something inside the margin that stands out from it."""
+    """Whether the control is visible: its pixels differ from the margin."""
     paper = np.median(picture[0], axis=0)
     inside = picture[MARGIN:-MARGIN, MARGIN:-MARGIN]
     return bool((np.abs(inside - paper).max(axis=2) > 60).sum() > 12)
 
 
 def has_outline(picture: np.ndarray) -> bool:
-    """Tell whether the left edge of a control stands out from what is beside it."""
+    """Whether the left edge of a control differs from the pixels beside it."""
     middle = picture[picture.shape[0] // 2]
     return bool((np.abs(middle[MARGIN - 1 : MARGIN + 3] - middle[MARGIN - 4]).max(axis=1) > 6).any())
 
 
 def check_controls(page: Page, skipped: str) -> int:
-    """Check that each control is seen; and of each kind, that it keeps its outline and shows the focus."""
+    """Check that each control is visible, and that one of each kind has its usual outline and shows the focus."""
     controls, outlined, wrong = page.evaluate(CONTROLS, skipped), set(), []
     enabled = [i for i, control in enumerate(controls) if not control["isDisabled"]]
     first_of_kind = {controls[i]["kind"]: i for i in reversed(enabled)}.values()
@@ -97,7 +97,7 @@ def check_controls(page: Page, skipped: str) -> int:
 
 
 def check_states(page: Page, skipped: str) -> set[str]:
-    """Check of one control of each kind that no two of its states look alike; return the kinds."""
+    """Check that all states of a control look different, for one control of each kind. Return the kinds."""
     kinds = set()
     for kind in {control["kind"] for control in page.evaluate(CONTROLS, skipped)}:
         controls = page.evaluate(CONTROLS, skipped)
@@ -109,7 +109,7 @@ def check_states(page: Page, skipped: str) -> set[str]:
         page.evaluate(SHOW, i)
         pictures = both(page, i)
         turn_on(page, i, controls[i]["type"])
-        if not is_on(page, i):  # such as a preset, which is carried out at once
+        if not is_on(page, i):  # such as a preset, which has no state
             continue
         kinds.add(controls[i]["type"])
         pictures += both(page, i)
@@ -151,11 +151,11 @@ STATES = {
     "worksheet": set(),
 }
 EVERYWHERE = ".stSidebar, header, .st-key-bar"
-"""What every page has; one page stands for all."""
+"""The common parts of all pages; they are checked on one page."""
 
 
 @pytest.mark.parametrize("name", PAGES)
-def test_every_control_is_seen_in_forced_colours(visit, name):
+def test_every_control_is_visible_in_forced_colours(visit, name):
     page = visit(PAGES[name].address, forced_colors="active")
     page.evaluate(OPEN)
     settle(page)
@@ -165,7 +165,7 @@ def test_every_control_is_seen_in_forced_colours(visit, name):
     assert check_states(page, EVERYWHERE) >= STATES.get(name, {"range"})
 
 
-def test_desk_phone_and_wall_show_what_is_chosen(visit):
+def test_desk_phone_and_wall_show_the_chosen_option(visit):
     def screen(query: str, **options: object) -> Page:
         page = visit(f"lesson?{query}", forced_colors="active", **options)
         page.add_style_tag(content=CALM_PAGE)
@@ -188,7 +188,7 @@ def test_desk_phone_and_wall_show_what_is_chosen(visit):
     assert check_states(phone, EVERYWHERE) == {"radio"}
     onward.click()
     for page in (desk, wall):
-        # Nobody has chosen the first option, and everybody another one.
+        # All votes are for another option than the first.
         bars = page.locator("[data-testid=stProgressBarTrack]")
         bars.first.wait_for()
         settle(page)
@@ -202,14 +202,14 @@ FORMULAS = ".stMarkdown .katex:has(.accent)"
 
 
 def ink(formula: Locator) -> np.ndarray:
-    """Return where there is ink in a formula."""
+    """Return the mask of the ink in a formula."""
     picture = np.asarray(Image.open(io.BytesIO(formula.screenshot(animations="disabled"))).convert("L"), dtype=float)
     contrast = np.abs(picture - np.median(picture))
     return contrast > contrast.max() / 2
 
 
-def lost(usual: np.ndarray, forced: np.ndarray) -> float:
-    """Return the share of ink without any ink at the same place, or beside it, in the other picture."""
+def lost_share(usual: np.ndarray, forced: np.ndarray) -> float:
+    """Return the share of ink without ink at the same place, or beside it, in the other picture."""
     height, width = (min(sizes) for sizes in zip(usual.shape, forced.shape, strict=True))
     around = np.pad(forced[:height, :width], 1)
     near = np.any([around[y : y + height, x : x + width] for y in range(3) for x in range(3)], axis=0)
@@ -217,12 +217,12 @@ def lost(usual: np.ndarray, forced: np.ndarray) -> float:
 
 
 def check_formulas(usual: Page, forced: Page) -> None:
-    """Check that no dotted letter has lost a part of it."""
+    """Check that every dotted letter is complete."""
     places = usual.locator(f"{FORMULAS} >> visible=true").count()
     assert places > 10
     for place in range(min(places, 20)):
         inks = [ink(page.locator(f"{FORMULAS} >> visible=true").nth(place)) for page in (usual, forced)]
-        assert lost(*inks) < 0.03, place
+        assert lost_share(*inks) < 0.03, place
 
 
 def test_dotted_letters_are_whole_on_the_screen_and_on_paper(visit):
@@ -231,9 +231,9 @@ def test_dotted_letters_are_whole_on_the_screen_and_on_paper(visit):
     check_formulas(usual, forced)
     for page in (usual, forced):
         page.emulate_media(media="print")
-        page.add_style_tag(content=".stBidiComponent { display: none }")  # on a screen it would lie over the words
+        page.add_style_tag(content=".stBidiComponent { display: none }")  # on a screen it would cover the text
     check_formulas(usual, forced)
-    # Negative control: each letter with a plate of its own.
+    # Negative control: a backplate behind each letter.
     forced.add_style_tag(content=".katex, .katex * { forced-color-adjust: auto !important }")
     with pytest.raises(AssertionError):
         check_formulas(usual, forced)

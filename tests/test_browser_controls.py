@@ -1,4 +1,4 @@
-"""Sliders, boxes, presets and the curve under a hand; what a slow network does to them is in test_browser_lost."""
+"""Sliders, boxes, presets and the curve under a hand; test_browser_lost uses a slow network."""
 
 import math
 
@@ -38,7 +38,7 @@ def write(page, key: str, text: str) -> None:
 
 
 def hold(page, key: str, by: int, steps: int) -> tuple[float, float]:
-    """Press on a slider's thumb and drag it by so many pixels; return where it was."""
+    """Press on a slider's thumb and drag it by `by` pixels. Return its position before the drag."""
     slider(page, key).scroll_into_view_if_needed()
     x, y = thumb(page, key)
     page.mouse.move(x, y)
@@ -71,7 +71,7 @@ def test_stage_boxes_and_address_follow_a_hand_on_the_sliders(visit):
 
 
 def check_drag(page) -> None:
-    """Check that a drag moves the stage within two frames and sends nothing before it ends."""
+    """Check that a drag moves the stage within two frames and sends no message before its end."""
     before = len(traffic(page).sent)
     page.evaluate(script("watch_lag"))
     hold(page, "m_prime", 96, steps=24)
@@ -82,14 +82,14 @@ def check_drag(page) -> None:
     live = normalized(page)
     page.mouse.up()
     settle(page)
-    # Negative control: letting go does send, and the server agrees with what the stage showed.
+    # Negative control: the end of the drag sends a message, and the server agrees with the stage.
     assert len(traffic(page).sent) > before
     assert normalized(page) == live
-    page.evaluate("delete window.lags")  # the watch ends
+    page.evaluate("delete window.lags")  # stops the script
 
 
 def check_bad_entry(page) -> None:
-    """Check that a bad entry is answered at its box."""
+    """Check that the message about an invalid entry appears at its box."""
     write(page, "k", "1e9")
     sentence = page.get_by_text("k must be between 1 and 200 N/m. The old value, 20 N/m, was kept.")
     sentence.wait_for()
@@ -109,7 +109,7 @@ def check_copied_link(page) -> None:
 
 
 def check_away_and_back(page) -> None:
-    """Check that a slider dragged away and back to its start ends where it began."""
+    """Check that a slider dragged away and back keeps its value."""
     before = normalized(page)
     x, y = hold(page, "m_prime", 80, steps=8)
     assert normalized(page) < before - 0.1
@@ -119,7 +119,7 @@ def check_away_and_back(page) -> None:
     page.mouse.up()
     settle(page)
     assert normalized(page) == before
-    # Where the start is off the slider's steps, it is not rounded as long as no hand is on that slider.
+    # A value between the slider's steps is not rounded before a person moves the slider.
     press(page, "In step (1729)")
     slider(page, "k").press("ArrowRight")
     settle(page)
@@ -129,7 +129,7 @@ def check_away_and_back(page) -> None:
     x, y = hold(page, "m_prime", 60, steps=6)
     page.mouse.move(x, y, steps=6)
     next_frame(page)
-    # Away and back, the thumb is on a step of its own: that is what is drawn, and what letting go sends.
+    # After a drag away and back, the thumb is at a step. That value is drawn, and sent at the end of the drag.
     stepped = Oscillator(m_prime=1.13).normalized_frequency_squared
     for let_go in (lambda: None, page.mouse.up):
         let_go()
@@ -158,7 +158,7 @@ def check_box_follows(page) -> None:
 # ---- the curve
 
 
-def test_the_curve_shows_the_machine_and_gives_one_by_a_click(visit):
+def test_the_curve_shows_the_machine_and_a_click_sets_one(visit):
     page = visit(height=1400)
     page.locator(PANEL).wait_for(state="attached")
     check_bytes(page)
@@ -175,7 +175,7 @@ def check_bytes(page) -> None:
     start = len(traffic(page).received)
     press(page, "Light rollers")
     assert 1000 < sum(traffic(page).received[start:]) <= 20_000
-    # A slider draws anew what follows it, and nothing else: a whole page is four times as many messages.
+    # A slider redraws only the elements that depend on it; a whole page has four times as many messages.
     start = len(traffic(page).received)
     slider(page, "k").focus()
     page.keyboard.press("ArrowRight")
@@ -185,10 +185,10 @@ def check_bytes(page) -> None:
 
 
 def check_ring(page) -> None:
-    """Check that both rings lie on the present machine and follow a drag without the server, also out of the inset."""
+    """Check that both rings mark the present machine and follow a drag without the server, also out of the inset."""
     ring, in_inset = (f".st-key-curve .present-machine >> nth={i}" for i in (0, 1))
     equal, unit = (POINT.format(i) for i in (4, 5))
-    # Plotly itself has put a mark on equal masses and on the unit ratio; the star is not centred in its box.
+    # Plotly's own marks are at equal masses and at the unit ratio; the star is not centred in its box.
     assert middle(page, in_inset) == pytest.approx(middle(page, equal), abs=0.6)
     assert math.dist(middle(page, equal), middle(page, unit)) > 100
     press(page, "In step (1729)")
@@ -206,10 +206,10 @@ def check_ring(page) -> None:
 
 
 def check_click(page) -> None:
-    """Check that a click on the curve takes its ratio, to a pixel: a hundredth of the ratio."""
+    """Check that a click on the curve sets its mass ratio, within a pixel: a hundredth of the ratio."""
 
     def click(ratio: float) -> None:
-        """Click on the curve at a mass ratio, whatever lies there."""
+        """Click on the curve at a mass ratio."""
         panel = page.locator(PANEL).bounding_box()
         x = math.log(ratio / CURVE_RANGE[0]) / math.log(CURVE_RANGE[1] / CURVE_RANGE[0])
         _, top = page.evaluate("document.querySelector('.st-key-curve .js-plotly-plot').layout.yaxis.range")
@@ -227,7 +227,7 @@ def check_click(page) -> None:
 
 
 def check_second_click(page) -> None:
-    """Check that a second click on the same mark is heard."""
+    """Check that a second click on the same mark has an effect."""
     for other in ("2", "3"):
         write(page, "m_prime", other)
         page.wait_for_url(f"**m_prime={other}**")
@@ -240,7 +240,7 @@ def check_second_click(page) -> None:
 
 
 def check_first_screen(page) -> None:
-    """Check that the stage and its controls fit on the first screen, and that beside another window nothing is cut.
+    """Check that the stage and its controls fit on the first screen, and that nothing is cut in half a window.
 
     That no name of the curve lies on another one is for test_browser_grid.
     """
@@ -263,7 +263,7 @@ def test_the_sidebar_fits_the_screen_and_is_open_only_where_it_matters(visit):
     page.get_by_role("link", name="Worksheet", exact=True).first.click()
     settle(page)
     expect(controls).not_to_be_in_viewport()
-    # Who unfolds it has it as long as the page is open.
+    # Once unfolded, it stays open as long as the page.
     page.locator("[data-testid=stExpandSidebarButton]").click()
     page.get_by_role("button", name="New worksheet with its key").click()
     settle(page)

@@ -1,4 +1,4 @@
-"""The stacks of cubes as they are drawn: unit cubes to be counted, from every side, pulled apart."""
+"""The drawn stacks of cubes: number of unit cubes, directions of view, layers pulled apart."""
 
 import re
 
@@ -27,7 +27,7 @@ def drawn(bare):
 
 
 def area(outline: str) -> float:
-    """The area within a closed outline M x y L x y … z."""
+    """The area of a closed outline M x y L x y … z."""
     x, y = np.array(re.findall(r"-?[\d.]+", outline), dtype=float).reshape(-1, 2).T
     return abs(x @ np.roll(y, 1) - y @ np.roll(x, 1)) / 2
 
@@ -40,9 +40,9 @@ def test_every_unit_cube_of_three_faces_can_be_counted_from_every_side(drawn):
             assert sorted(name for name, *_ in layers) == ["cube-0", "cube-1"]
             for name, _, paths in layers:
                 side = sides[int(name[-1])]
-                # n unit cubes need n + 1 lines in each of two directions.
+                # n unit cubes have n + 1 lines in each of two directions.
                 assert [d.count("M") for kind, d in paths if kind == "grid"] == [2 * (side + 1)] * 3
-                # Seen from above, a square on the floor shrinks by the sine of the elevation, from whichever side.
+                # The area of a horizontal square shrinks by the sine of the elevation, for every direction of view.
                 top = next(d for kind, d in paths if kind == "top")
                 assert area(top) == pytest.approx(100 * side**2 * np.sin(ELEVATION), rel=1e-2)
     drawn.evaluate(f"() => {CUBES}.querySelector('[type=checkbox]').click()")

@@ -1,4 +1,4 @@
-"""Page 2 in a browser: keys, links, files, colours, and formulas that stay inside a phone."""
+"""Page 2 in a browser: keys, links, files, colours, and formulas on a phone."""
 
 import json
 import re
@@ -15,7 +15,7 @@ from tests.test_look import THEME, rgb
 
 STEP = ".st-key-lecture h2:visible"
 MORE = ".st-key-more button"
-"""What opens the choices that are folded."""
+"""The expander that contains the choices."""
 
 
 def step(page) -> int:
@@ -39,14 +39,14 @@ def press(page, key: str) -> int:
     return step(page)
 
 
-def test_a_lecturer_goes_back_turns_steps_and_chooses_by_keys_and_clickers(visit):
+def test_a_lecturer_turns_steps_and_chooses_by_keys_and_clickers(visit):
     page = visit("derivation?m=2")
     check_back_and_arrows(page)
     check_clickers(visit("derivation?step=9", tab=page))
 
 
 def check_back_and_arrows(page) -> None:
-    """Check that Back takes a choice back, arrow keys turn the steps, and a choice is made by keys alone."""
+    """Check that Back undoes a choice, arrow keys turn the steps, and a choice can be made by keys."""
     for route in ("hamilton", "newton"):
         choose(page, route.capitalize())
         page.wait_for_url(f"**route={route}**")
@@ -60,7 +60,7 @@ def check_back_and_arrows(page) -> None:
     assert "route" not in page.url
     assert page.get_by_label("Route").input_value() == "Euler–Lagrange"
     assert page.locator(".st-key-m input[type=range]").input_value() == "2"
-    # A click on a choice does not keep the keys: the lecturer goes straight on.
+    # A click on a choice does not keep the focus, so the arrow keys turn steps again.
     choose(page, "Newton")
     settle(page)
     assert step(page) == 1
@@ -71,12 +71,12 @@ def check_back_and_arrows(page) -> None:
         page.locator(".st-key-show button").nth(view).click()
         settle(page)
     assert press(page, "ArrowRight") == 3
-    # Where the arrows have another meaning they keep it.
+    # In other controls the arrow keys keep their own meaning.
     page.locator(".st-key-m input[type=range]").focus()
     assert press(page, "ArrowRight") == 3
     assert "m=2.01" in page.url
     assert "route=newton" in page.url
-    # A choice is made by keys alone.
+    # A choice can be made by keys.
     if not page.locator(".st-key-values").is_visible():
         page.locator(MORE).click()
     page.locator(".st-key-values button").first.focus()
@@ -87,7 +87,7 @@ def check_back_and_arrows(page) -> None:
 
 
 def check_clickers(page) -> None:
-    """Check that clickers and the space bar turn steps, typing does not, and a screen reader hears where it is."""
+    """Check that clickers and the space bar turn steps, that typing does not, and that the step is announced."""
     said = page.locator(".st-key-services [role=status]")
     assert "Step 10 of " not in said.text_content()
     page.get_by_role("button", name="Next").click()
@@ -104,18 +104,18 @@ def check_clickers(page) -> None:
         page.keyboard.press(key)
     assert step(page) == 9
     assert answer.input_value() == "k "
-    # A button that has the focus keeps the space bar, and turns once.
+    # A focused button uses the space bar itself, and turns one step.
     page.get_by_role("button", name="Next").focus()
     page.keyboard.press("Space")
     assert step(page) == 10
-    # Where the lecture cannot be seen, these keys scroll the page as they do everywhere.
+    # While the lecture is not in view, these keys scroll the page as usual.
     page.evaluate("document.activeElement.blur()")
     answer.scroll_into_view_if_needed()
     page.keyboard.press("PageUp")
     assert step(page) == 10
 
 
-def test_three_machines_run_and_a_student_is_told_what_is_missing_and_hostile_text_stays_text(visit):
+def test_three_machines_run_and_a_formula_is_judged_and_hostile_text_stays_text(visit):
     page = visit("derivation?question=potential_energy")
     page.emulate_media(reduced_motion="no-preference")
     check_three_machines(page)
@@ -132,7 +132,7 @@ def test_three_machines_run_and_a_student_is_told_what_is_missing_and_hostile_te
         settle(page)
         assert told in page.locator("[data-testid=stAlert]").inner_text()
         assert page.locator("[data-testid=stAlert] img").count() == 0
-    # A right answer is listed, and the question stays.
+    # A right answer is listed, and the question remains.
     page.get_by_text("Solved so far: 1 of").wait_for()
     for left in (3, 2, 1):
         page.get_by_role("button", name=f"Hint ({left} left)").click()
@@ -141,7 +141,7 @@ def test_three_machines_run_and_a_student_is_told_what_is_missing_and_hostile_te
 
 def check_three_machines(page) -> None:
     """Check that three machines run side by side, each in its mode."""
-    # The view follows the centre of mass: where the whole machine glides, it is the floor that passes by.
+    # The view follows the centre of mass, so when the whole machine glides, the floor moves in the picture.
     for key, part in (("swing", ".moving .slab"), ("glide", ".ruler"), ("roll", ".moving .top")):
         moving = f"""document.querySelector('.st-key-mode_{key} [data-testid=stBidiComponentIsolated]')
           ?.shadowRoot.querySelector('{part}')?.getAttribute('transform')"""
@@ -149,7 +149,7 @@ def check_three_machines(page) -> None:
         page.wait_for_function(f"(before) => {moving} !== before", arg=page.evaluate(moving))
 
 
-def test_the_route_as_it_stands_can_be_taken_home_and_its_formulas_fit_a_phone(visit):
+def test_the_present_route_can_be_downloaded_and_its_formulas_fit_a_phone(visit):
     page = visit("derivation?route=energy&values=numbers")
     assert press(page, "ArrowRight") == 2
     seen = page.locator(STEP).inner_text().partition(". ")[2].partition("’")[0]
@@ -175,7 +175,7 @@ def test_the_route_as_it_stands_can_be_taken_home_and_its_formulas_fit_a_phone(v
 
 
 def check_scrolling(page) -> None:
-    """Check that on a narrow screen a formula scrolls by key, which turns no step, and shows that it has the focus."""
+    """Check that on a narrow screen a key scrolls a formula without turning a step, and that its focus is visible."""
     page.set_viewport_size({"width": 200, "height": 844})
     box, before = page.locator(".katex-display[data-scrolls]:visible").first, step(page)
     box.wait_for()
@@ -203,14 +203,14 @@ def check_long_formulas(page) -> None:
 
 BEFORE_THE_FIRST_EQUATION = script("before_equation")
 ALONE = script("separated_punctuation")
-"""Formulas whose full stop or comma has gone to the next line."""
+"""Formulas whose punctuation mark is on the next line."""
 
 
 BESIDE = "document.querySelector('.st-key-beside [data-testid=stBidiComponentIsolated]').shadowRoot"
 CUT_OFF = """() => [...document.querySelectorAll('.st-key-lecture .katex-display')].flatMap((box) =>
   [...box.querySelectorAll('.sizing.reset-size6.size4')].map((part) => part.getBoundingClientRect())
     .filter(({ right }) => right > box.getBoundingClientRect().right + 1))"""
-"""Parts of operations for which one would have to scroll."""
+"""Parts of operations that are outside of the box and need scrolling."""
 INKS = """[...new Set([...document.querySelectorAll('.st-key-lecture .katex-html [style*="color"]')]
   .map((part) => part.style.color).filter(Boolean))].sort()"""
 
@@ -239,7 +239,7 @@ def walk(page, route: str, check=lambda: None) -> None:
     assert len(places) == 1
 
 
-def test_headings_stay_where_they_are_beside_the_machine_and_every_body_has_its_ink(visit):
+def test_headings_keep_their_place_beside_the_machine_and_every_body_has_its_ink(visit):
     page = visit("derivation?route=newton")
     page.locator(STEP).wait_for()
     assert len(page.evaluate(BEFORE_THE_FIRST_EQUATION)) <= 12
@@ -254,7 +254,7 @@ def test_headings_stay_where_they_are_beside_the_machine_and_every_body_has_its_
         names = [*(f"{body}Text" for body in BODY_COLORS.values()), "primary"]
         wanted = {"rgb({}, {}, {})".format(*rgb(THEME[theme][f"{name}Color"])) for name in names}
         page.wait_for_function(f"(wanted) => {INKS}.join() === wanted", arg=",".join(sorted(wanted)))
-    # What is pointed at lights its partners: a term its body and the body's arrow, a body its terms.
+    # The pointer on a term highlights its body and the body's arrow; the pointer on a body highlights its terms.
     for _turn in range(10):
         page.keyboard.press("ArrowLeft")
     page.locator(".st-key-step_4 .katex-html [style*=color]", has_text="m").first.hover()
@@ -276,7 +276,7 @@ def test_headings_stay_where_they_are_beside_the_machine_and_every_body_has_its_
 
 
 def check_projector(page) -> None:
-    """Check that on a projector the machine is seen beside every step."""
+    """Check that on a projector the machine is visible beside every step."""
     page.locator(STEP).wait_for()
     assert len(page.evaluate(BEFORE_THE_FIRST_EQUATION)) <= 13
 
@@ -298,11 +298,11 @@ ON_A_PHONE = """() => [...document.querySelectorAll('.katex-display')].filter((b
     marked: box.scrollWidth <= box.clientWidth + 1 || 'scrolls' in box.dataset,
   };
 })"""
-"""Of each formula: how large its letters are, its operations, those behind an equals sign, and whether it scrolls."""
+"""For each formula: size of its letters, its operations, those after an equals sign, and whether it scrolls."""
 
 
 @pytest.mark.parametrize(("path", "letters"), [("derivation?show=reading", 15), ("", 16)])
-def test_on_a_phone_formulas_are_large_and_operations_stand_below_their_lines(visit, path, letters):
+def test_on_a_phone_formulas_are_large_and_operations_are_below_their_lines(visit, path, letters):
     page = visit(path, width=390, height=844)
     if not path:
         page.locator(".st-key-summary_4 summary").click()

@@ -1,4 +1,4 @@
-"""A page that stays open for a lesson: neither its memory nor its listeners grow.
+"""A page that is open for a whole lesson: neither its memory nor its listeners grow.
 
 RAMANUJAN_MINUTES sets how long the stage runs (60 for a thorough run), RAMANUJAN_ROUNDS how often all pages with a
 stage are gone through (50 for a thorough run).
@@ -19,32 +19,32 @@ from tests.test_browser_access import switch
 MINUTES = float(os.environ.get("RAMANUJAN_MINUTES", "0.3"))
 ROUNDS = int(os.environ.get("RAMANUJAN_ROUNDS", "1"))
 PLACES = range(5) if ROUNDS > 1 else (0, 2, 3)
-"""Which pages: all of those with a stage, or two whose figures have marks that follow it and one without."""
+"""The tested pages: all pages with a stage, or two with marks in their figures and one without."""
 KEYS = ("ArrowRight", "ArrowLeft")
 LINKS = "document.querySelectorAll('[data-testid=stTopNavLink]')"
-HASTE = """
+FAST_CLOCK = """
 const now = performance.now.bind(performance), then = now();
 performance.now = () => then + 60 * (now() - then);
 const request = requestAnimationFrame.bind(window);
 window.requestAnimationFrame = (draw) => request(() => draw(performance.now()));
 """
-"""A clock that runs sixty times as fast: the stage runs an hour in a minute."""
+"""Makes the clock sixty times as fast: the stage runs an hour in a minute."""
 CURSORS = """[...document.querySelectorAll('.js-plotly-plot')].reduce((sum, {layout, data}) =>
   sum + (layout.meta.cursor === 'orbit' ? data.length : 1), 0)"""
-"""How many marks of the time the figures of the page should have."""
+"""Expected number of marks of the time cursor in the figures of the page."""
 TOPICS = ("machine", "time", "drawn", "seek", "story", "view")
-"""What the bus may know of a stage."""
+"""The topics of a stage."""
 
 
 def watched(tab: object) -> object:
-    """Return what counts for `counts`."""
+    """Return the client of the browser's debugging protocol for `counts`."""
     client = tab.context.new_cdp_session(tab)
     client.send("Performance.enable")
     return client
 
 
 def counts(tab: object, client: object) -> dict[str, float]:
-    """Return what the page holds after its garbage has been collected."""
+    """Return the page's memory, listeners and nodes after a garbage collection."""
     for _ in range(2):
         client.send("HeapProfiler.collectGarbage")
         tab.wait_for_timeout(300)
@@ -57,11 +57,11 @@ def test_theme_and_page_changes_leave_nothing_behind(visit: Callable) -> None:
     client = watched(tab)
 
     def known(stage: str) -> set[str]:
-        """What the bus knows of a stage; what stays on every page may listen for news of any."""
+        """Return the topics of a stage with a value on the bus."""
         return {topic for topic in TOPICS if tab.evaluate(f"ramanujan.last('{topic}/{stage}') !== undefined")}
 
     def heard() -> Counter:
-        """How many listen for each topic."""
+        """Return the number of listeners of each topic."""
         bus = client.send("Runtime.evaluate", {"expression": "globalThis.ramanujan"})["result"]["objectId"]
         found = client.send("DOMDebugger.getEventListeners", {"objectId": bus})["listeners"]
         return Counter(each["type"] for each in found)
@@ -84,13 +84,13 @@ def test_theme_and_page_changes_leave_nothing_behind(visit: Callable) -> None:
         assert known("motion") == set()
         return heard()
 
-    # The first round loads what each page needs.
+    # The first round loads the modules of each page.
     first = go_round()
     before = counts(tab, client)
     for _ in range(ROUNDS):
         assert go_round() == first
     after = counts(tab, client)
-    # Streamlit and Plotly keep a few of their own with every page.
+    # Streamlit and Plotly keep a few listeners and nodes of every page.
     assert after["JSEventListeners"] <= 1.1 * before["JSEventListeners"] + 50, (before, after)
     assert after["Nodes"] <= 1.2 * before["Nodes"] + 500, (before, after)
     assert after["JSHeapUsedSize"] <= before["JSHeapUsedSize"] + 2**20 * (5 + ROUNDS / 2), (before, after)
@@ -101,12 +101,12 @@ def test_a_running_stage_and_a_hundred_changes_leave_nothing_behind(bare: Callab
     here = bare()
     here.sliders(m=1, m_prime=1, k=10, compression=8, radius=10)
     picture, tab = Picture(here), here.page
-    tab.evaluate(f"() => {{ {HASTE} }}")
+    tab.evaluate(f"() => {{ {FAST_CLOCK} }}")
     tab.evaluate("setReducedMotion(false)")
     client = watched(tab)
 
     def change(times: int, key: str) -> None:
-        """So many changes by a key, and one more by the server's answer."""
+        """Change the machine by keys, and once by a message from the server."""
         tab.evaluate("document.querySelector('.st-key-k input').focus()")
         for _ in range(times):
             tab.keyboard.press(key)

@@ -1,4 +1,4 @@
-"""An exercise by link in a browser, from a phone's first answer to the file that is handed in."""
+"""An exercise by link in a browser, from a phone's first answer to the submitted file."""
 
 import re
 from pathlib import Path
@@ -19,7 +19,7 @@ def test_an_exercise_from_its_link_to_the_saved_sheet(visit):
     page.get_by_role("button", name="Next").click()
     expect(heading).to_have_text("Half of the energy")
     settle(page)
-    # The machine of the link is that of the task; a reload keeps the place.
+    # The link sets the machine of the task; a reload preserves the place.
     assert "m=2" in page.url
     assert "item=2" in page.url
     page.get_by_role("button", name="Next").click()
@@ -32,6 +32,6 @@ def test_an_exercise_from_its_link_to_the_saved_sheet(visit):
     text = Path(download.value.path()).read_text(encoding="utf-8")
     assert re.search(r"1\. \*\*The momentum of X\.\*\*.*\n.*`` \(3m\+2m'\)Ẋ .* ``\n.*Right since 20", text)
     assert re.search(r"2\. \*\*Half of the energy\.\*\*(.*\n)+.*Not done yet\.", text)
-    # The page shows what the file says.
+    # The page and the file agree.
     shown = " ".join(page.locator("[data-testid=stMain]").inner_text().split())
     assert re.search(r"Right since .*?\.", text)[0] in shown

@@ -1,4 +1,4 @@
-"""The files of the page: complete after other visitors left early, compressed, and kept by browsers."""
+"""The files of the page: complete after aborted requests, compressed, and cached by browsers."""
 
 import gzip
 import random
@@ -30,7 +30,7 @@ if __name__ != "__main__":
 else:
     st.title("A page")
 """
-"""An app with nothing but the page's files."""
+"""An app that only serves the page's files."""
 
 
 @pytest.fixture(scope="module")
@@ -46,7 +46,7 @@ def fresh(tmp_path_factory: pytest.TempPathFactory) -> Iterator[str]:
         yield address
 
 
-def test_visitors_who_leave_early_take_nothing_from_the_others(fresh, chromium):
+def test_aborted_requests_do_not_damage_the_files_of_other_visitors(fresh, chromium):
     """Compare all answers with the files after 600 aborted connections and five closed pages.
 
     A copy made from an aborted answer was once kept for everybody, empty or cut.
@@ -86,7 +86,7 @@ def test_visitors_who_leave_early_take_nothing_from_the_others(fresh, chromium):
     assert f"{modules.place()}/begin.js" in answers[0]
 
 
-def test_a_browser_keeps_files_for_good(fresh):
+def test_browsers_cache_files_forever(fresh):
     module = f"/{modules.place()}/begin.js"
     for path in (FILES[0], module):
         for accepted, coding in {"br, gzip": "gzip", "br": None}.items():
@@ -94,7 +94,7 @@ def test_a_browser_keeps_files_for_good(fresh):
             assert headers["Content-Encoding"] == coding, (accepted, path)
             assert headers["Vary"] == "accept-encoding"
             assert "immutable" in headers["Cache-Control"]
-    # A browser's copy of Streamlit's own start page does not replace the app's.
+    # A browser's cached copy of Streamlit's start page does not replace the app's.
     index = (FOLDER / "index.html").stat()
     assert get(fresh, If_Modified_Since=time.strftime("%a, %d %b %Y %H:%M:%S GMT", time.gmtime(index.st_mtime + 9)))
     # Modules of another version of the app are missing.
@@ -104,7 +104,7 @@ def test_a_browser_keeps_files_for_good(fresh):
             get(f"{fresh}/{wrong}/begin.js")
 
 
-def test_a_page_loads_nothing_from_elsewhere_and_tells_nobody_its_address(fresh):
+def test_a_page_makes_no_foreign_request_and_sends_no_referrer(fresh):
     headers, page = get(f"{fresh}/")
     assert headers["Referrer-Policy"] == "no-referrer"
     policy = dict(rule.split(" ", 1) for rule in headers["Content-Security-Policy"].split("; "))

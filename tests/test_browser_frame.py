@@ -1,4 +1,4 @@
-"""A class in a frame of another site, such as a course page: a pupil has one seat there and keeps the answer.
+"""A class in a frame of another site, such as a course page: a pupil has one seat, and the answer is stored.
 
 Browsers send no cookie of the app to such a frame. Playwright's browsers are started here once more where storage for
 other sites is refused: Firefox by a preference, Chromium as Debian builds it.
@@ -18,13 +18,13 @@ from tests.two_sites import CoursePage
 
 STOP = lesson.STOPS[0]
 CHROMIUM_WITH_WINDOWS = shutil.which("chromium")
-"""Chromium as Debian builds it refuses storage to frames of other sites; chromium-headless-shell does not."""
+"""Debian's Chromium denies storage to frames of other sites; chromium-headless-shell does not."""
 OPTION = ".st-key-class_phone [role=radiogroup] label"
 
 
 @pytest.fixture
 def opened() -> Class:
-    """A class that is asked the first question."""
+    """A class with the first question open."""
     opened = shared().open_class()
     shared().ask(opened.key, STOP.id, list(STOP.options))
     return opened
@@ -32,7 +32,7 @@ def opened() -> Class:
 
 @pytest.fixture
 def visitor() -> Iterator[Callable[[object], BrowserContext]]:
-    """Return a visitor's context in a browser."""
+    """A function that opens a visitor's context in a browser."""
     contexts = []
 
     def begin(browser: object) -> BrowserContext:
@@ -47,7 +47,7 @@ def visitor() -> Iterator[Callable[[object], BrowserContext]]:
 
 @pytest.fixture
 def strict(playwright: object, engine: str) -> Iterator[object]:
-    """A browser that refuses storage to frames of other sites."""
+    """A browser that denies storage to frames of other sites."""
     if engine == "firefox":
         if not FIREFOX:
             skip_missing("firefox-esr")
@@ -63,14 +63,14 @@ def strict(playwright: object, engine: str) -> Iterator[object]:
 
 
 def choose(option: Locator) -> None:
-    """Choose an answer and wait until it counts. In a frame Playwright does not hit what it clicks on in Firefox."""
+    """Choose an answer and wait until it counts. In Firefox, Playwright's clicks miss elements in a frame."""
     option.locator("input").dispatch_event("click")
     counts = option.locator("xpath=ancestor::*[contains(@class, 'st-key-class_phone')]")
     expect(counts.get_by_text("Your answer counts.")).to_be_visible(timeout=20_000)
 
 
 def check_lasting_seat(tab: Page, course: CoursePage, opened: Class) -> None:
-    """Check that an answer in the frame counts once, also after reloads, and stays chosen."""
+    """Check that an answer in the frame counts once, also after reloads, and remains chosen."""
     for visit in range(3):
         tab.goto(course.address)
         option = tab.frame_locator("iframe").locator(OPTION).nth(1)
@@ -90,13 +90,13 @@ def test_a_pupil_in_a_frame_has_one_seat(browsers, visitor, server, opened, engi
 
 
 @pytest.mark.parametrize("engine", ["chromium"])
-def test_where_storage_is_refused_a_cookie_for_the_frame_keeps_the_seat(strict, visitor, server, opened):
+def test_without_storage_a_partitioned_cookie_preserves_the_seat(strict, visitor, server, opened):
     with CoursePage(server, f"lesson?class={opened.code}", secure=True) as course:
         check_lasting_seat(visitor(strict).new_page(), course, opened)
 
 
 @pytest.mark.parametrize(("engine", "secure"), [("chromium", False), ("firefox", False), ("firefox", True)])
-def test_where_nothing_is_stored_the_page_offers_a_tab_of_its_own(strict, visitor, server, opened, secure):
+def test_without_any_storage_the_page_offers_a_new_tab(strict, visitor, server, opened, secure):
     with CoursePage(server, f"lesson?class={opened.code}&embed=true", secure=secure) as course:
         context = visitor(strict)
         tab = context.new_page()

@@ -1,4 +1,4 @@
-"""Every page at every width: no word lies on another one, nothing jumps, and little is offered.
+"""Every page at every width: no words overlap, nothing jumps, and the number of controls is small.
 
 The tour of test_browser_access opens each page in a window of a laptop, and looks there and at all widths.
 """
@@ -13,7 +13,7 @@ WIDTHS = (
     *(999, 1000, 1024, 1100, 1180, 1280, 1366, 1440, 1600, 1920, 2560, 3840),
 )
 WITH_FIGURES = (320, 768, 1280, 2560)
-"""Widths at which figures are drawn, too: Plotly takes longer for one of them than a page does for all its words."""
+"""Widths at which figures are also drawn, because drawing a figure takes longer than the rest of the page."""
 WITHOUT_FIGURES = """() => {
   window.withoutFigures = new CSSStyleSheet();
   withoutFigures.replaceSync(".stPlotlyChart { display: none }");
@@ -25,10 +25,10 @@ patient.replaceSync(":root { --patience: 3600s; }");
 document.adoptedStyleSheets = [patient];
 new PerformanceObserver((list) => window.shifts.push(...list.getEntries().map((entry) => entry.value)))
   .observe({ type: "layout-shift", buffered: true });"""
-"""Notes how far what is seen has moved, as the browser measures it, however slow the machine is."""
+"""Records the layout shifts that the browser measures, independent of the speed of the machine."""
 MOST_SHIFT = 0.02
 OFFERED = script("offered")
-"""Counts what can be operated and is in view; a menu counts once, a slider's box while it has its frame."""
+"""Counts the controls in view; a menu counts once, a slider's box while it has its frame."""
 MOST_OFFERED = {"oscillator": 17, "derivation": 21, "motion": 17, "taxicab": 11, "speed": 19}
 
 
@@ -37,19 +37,19 @@ def shift(page) -> float:
 
 
 def check_calm(page, name: str) -> None:
-    """Check that nothing has jumped since a page's first frame, and that little is offered."""
+    """Check that nothing has jumped since a page's first frame, and that the page has few controls."""
     assert shift(page) < MOST_SHIFT
     assert page.evaluate(OFFERED) <= MOST_OFFERED.get(name, 30)
 
 
 def check_widths(page) -> None:
-    """Check that no word lies on another one at any width."""
+    """Check that no words overlap at any width."""
     page.evaluate(WITHOUT_FIGURES)
     found = {}
     for width in sorted(WIDTHS, key=WITH_FIGURES.__contains__):
         page.evaluate("(drawn) => (withoutFigures.disabled = drawn)", width in WITH_FIGURES)
         page.set_viewport_size({"width": width, "height": 900})
-        # Figures follow a moment later.
+        # Plotly adapts figures a moment later.
         for _ in range(20):
             if not page.evaluate(OVERLAPS):
                 break
@@ -59,7 +59,7 @@ def check_widths(page) -> None:
     assert found == {}
 
 
-def test_a_page_whose_end_does_not_come_is_seen_without_it(visit):
+def test_a_page_whose_end_does_not_arrive_is_shown_without_it(visit):
     page = visit(ADDRESSES["worksheet"])
     title = page.locator("h1").first
     assert title.is_visible()
@@ -70,7 +70,7 @@ def test_a_page_whose_end_does_not_come_is_seen_without_it(visit):
 
 @pytest.mark.parametrize("size", [(820, 1180), (390, 844)])
 def test_on_a_tablet_and_on_a_phone_nothing_jumps_while_a_page_is_loaded(visit, size):
-    """Figures have their places whether they come or not; that they come without a jump is seen on a laptop."""
+    """The page reserves the space of figures. The test on a laptop checks that drawing them causes no jump."""
     page, moved = None, {}
     for name, address in ADDRESSES.items():
         first = () if page else [SHIFTS]

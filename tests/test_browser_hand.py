@@ -1,4 +1,4 @@
-"""A hand on the slab: what it does to stage and slider is followed at once, and can be taken back."""
+"""Dragging the slab: stage and slider follow at once, and the drag can be undone."""
 
 import pytest
 
@@ -8,7 +8,7 @@ from tests.picture import Picture
 
 SLIDER = "document.querySelector('.st-key-compression input')"
 HINT = "root.querySelector('.slab .handle text').textContent"
-"""What the slab says of itself: that it can be dragged, and x₀."""
+"""The label on the slab, with the hint to drag it and x₀."""
 
 
 @pytest.fixture
@@ -25,12 +25,12 @@ def opened(bare, **options) -> Picture:
 
 
 def slider(picture) -> float:
-    """What the slider of x₀ shows."""
+    """The value of the slider of x₀."""
     return float(picture.page.evaluate(f"{SLIDER}.value"))
 
 
 def drawn(picture) -> float:
-    """What x₀ the machine is drawn with [cm]."""
+    """The drawn x₀ [cm]."""
     return 100 * picture.page.evaluate("bus.last('drawn/oscillator').parameters.compression")
 
 
@@ -44,7 +44,7 @@ def centre(picture) -> tuple[float, float]:
 
 
 def take_slab(picture, centimetres: float) -> tuple[float, float]:
-    """Press on the slab and drag it; return where the pointer is."""
+    """Press on the slab and drag it. Return the position of the pointer."""
     (x, y), scale = centre(picture), picture.find("root.querySelector('.machine').getScreenCTM().a")
     mouse = picture.page.mouse
     mouse.move(x, y)
@@ -55,13 +55,13 @@ def take_slab(picture, centimetres: float) -> tuple[float, float]:
 
 
 def let_go(picture) -> float:
-    """Release the button, and return what the slider sends."""
+    """Release the button. Return the value that the slider sends."""
     picture.page.mouse.up()
     return sent(picture)
 
 
 def sent(picture) -> float:
-    """Wait until the slider has sent a value, and return the last."""
+    """Wait until the slider has sent a value. Return the last value."""
     picture.page.wait_for_function("sent.length > 0")
     *_, (key, event, value) = picture.page.evaluate("sent.splice(0)")
     assert (key, event) == ("compression", "slider")
@@ -73,13 +73,13 @@ def press(picture, control: str) -> None:
     next_frame(picture.page)
 
 
-def test_a_click_on_the_slab_changes_nothing_nor_does_another_button(picture, engine):
+def test_a_click_or_another_button_on_the_slab_changes_nothing(picture, engine):
     mouse = picture.page.mouse
     picture.page.evaluate("setReducedMotion(false)")
-    # In WebKit the right button opens a menu, which takes the mouse, and the middle one is not let go.
+    # In WebKit the right button opens a menu, and the middle button is never released.
     others = () if engine == "webkit" else ("right", "middle")
     for button in ("left", *others):
-        # The slab swings on under the pointer, which stays where it is.
+        # The slab keeps oscillating under the resting pointer.
         mouse.move(*centre(picture))
         mouse.down(button=button)
         mouse.up(button=button)
@@ -95,7 +95,7 @@ def test_a_click_on_the_slab_changes_nothing_nor_does_another_button(picture, en
     assert picture.bare.sent == []
 
 
-def test_the_slider_follows_the_held_slab_and_hears_its_last_place(picture):
+def test_the_slider_follows_the_dragged_slab_and_sends_its_last_value(picture):
     assert picture.find(HINT) == "↔ drag: x₀ = 8\u202fcm"
     take_slab(picture, -3)
     assert slider(picture) == pytest.approx(5, abs=0.11)
@@ -109,7 +109,7 @@ def test_the_slider_follows_the_held_slab_and_hears_its_last_place(picture):
 
 
 @ANY_ENGINE
-def test_bounds_give_way_softly_and_say_so(picture):
+def test_the_slab_is_elastic_beyond_its_bounds_and_a_note_explains_it(picture):
     take_slab(picture, 9)
     assert 12.5 < slab_over_block(picture.page) < 14
     assert "between 0.5\u202fcm and 12\u202fcm" in note(picture)
@@ -119,7 +119,7 @@ def test_bounds_give_way_softly_and_say_so(picture):
     assert slab_over_block(picture.page) == pytest.approx(12, abs=0.02)
 
 
-def test_escape_gives_the_slab_back_and_undo_the_last_compression(picture):
+def test_escape_cancels_a_drag_and_undo_restores_the_last_compression(picture):
     press(picture, "forward")
     before = slab_over_block(picture.page)
     take_slab(picture, -4)
@@ -138,16 +138,16 @@ def test_escape_gives_the_slab_back_and_undo_the_last_compression(picture):
     assert let_go(picture) == 4
     assert picture.find(f"{undo}.textContent") == "Back to x₀ = 8\u202fcm"
     press(picture, "undo")
-    # The box of the slider is asked to type it.
+    # The value is entered into the box of the slider.
     assert picture.page.evaluate("bus.last('enter/compression')") == "8.0"
-    # Whoever sets another x₀ has nothing to undo.
+    # After another change of x₀ there is nothing to undo.
     picture.page.evaluate(f"{SLIDER}.focus()")
     picture.page.keyboard.press("ArrowRight")
     next_frame(picture.page)
     assert picture.find(f"{undo}.hidden")
 
 
-def test_a_lost_capture_lets_the_slab_go(picture):
+def test_a_lost_capture_ends_the_drag(picture):
     picture.find("root.addEventListener('pointerdown', ({ pointerId }) => (window.pointer = pointerId))")
     x, y = take_slab(picture, -2)
     picture.find("root.querySelector('.moving .body.slab').releasePointerCapture(window.pointer)")
@@ -184,7 +184,7 @@ def finger(page, client, path, end: str = "touchEnd") -> None:
 
 
 @pytest.mark.parametrize("engine", ["chromium"])
-def test_a_finger_on_the_slab_drags_it_and_a_finger_beside_it_scrolls(bare):
+def test_a_finger_on_the_slab_drags_it_and_a_finger_elsewhere_scrolls(bare):
     picture = opened(bare, width=390, height=500)
     page = picture.page
     client = page.context.new_cdp_session(page)
@@ -197,7 +197,7 @@ def test_a_finger_on_the_slab_drags_it_and_a_finger_beside_it_scrolls(bare):
     compression = sent(picture)
     assert page.evaluate("scrollY") == 0
     assert compression == pytest.approx(max(0.5, 8 - 55 / per_cm), abs=4 / per_cm)
-    # Taken back by the system, the finger leaves what was before.
+    # If the system cancels the touch, the old value is restored.
     x, y = centre(picture)
     finger(page, client, [(x + 4 * i, y) for i in range(8)], "touchCancel")
     assert drawn(picture) == pytest.approx(compression)

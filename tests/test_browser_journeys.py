@@ -18,11 +18,11 @@ from tests.test_browser_print import CUT
 pytestmark = pytest.mark.parametrize("engine", ["firefox", "webkit"])
 
 FIND = script("find")
-"""The first visible element that fits a selector and has this name, or none; "A >> B" is B in the component in A."""
+"""The first visible element with this selector and name, or null; "A >> B" is B in the component in A."""
 
 
 class Visitor:
-    """Somebody at a page of the app, with a mouse and a keyboard."""
+    """A visitor of the app with a mouse and a keyboard."""
 
     def __init__(self, page: object, address: str) -> None:
         self.page = page
@@ -33,16 +33,16 @@ class Visitor:
         return self.page.evaluate(FIND, [selector, name])
 
     def until(self, selector: str, name: str = "", timeout: float = 60_000) -> dict:
-        """Wait until an element can be seen."""
+        """Wait until an element is visible."""
         self.page.wait_for_function(FIND, arg=[selector, name], timeout=timeout)
         return self.find(selector, name)
 
     def wait(self, condition: str) -> None:
-        """Wait until a JavaScript expression holds."""
+        """Wait until a JavaScript expression is true."""
         self.page.wait_for_function(f"Boolean({condition})", timeout=60_000)
 
     def click(self, selector: str, name: str = "") -> None:
-        """Click on an element that has come to rest, and that nothing covers."""
+        """Click on an element once it is still and uncovered."""
         before = None
         while (place := self.until(selector, name)) != before or not place["isSteady"]:
             before = place
@@ -50,7 +50,7 @@ class Visitor:
         self.page.mouse.click(place["x"], place["y"])
 
     def hold(self, selector: str, dx: float) -> None:
-        """Press on an element and drag it so many pixels to the right; the button stays down."""
+        """Press on an element and drag it `dx` pixels to the right, without releasing the button."""
         place = self.until(selector)
         self.page.mouse.move(place["x"], place["y"])
         self.page.mouse.down()
@@ -58,7 +58,7 @@ class Visitor:
         next_frame(self.page)
 
     def write(self, selector: str, text: str) -> None:
-        """Write into a box in place of what it holds, and press Enter."""
+        """Replace the text of a box, and press Enter."""
         self.click(selector)
         self.page.keyboard.press("Control+a")
         self.page.keyboard.type(text)
@@ -70,7 +70,7 @@ class Visitor:
 
 @pytest.fixture
 def at(window: Callable, server: str) -> Callable[..., Visitor]:
-    """Go to a page of the app: at("motion?m=2")."""
+    """Open a page of the app, as in at("motion?m=2")."""
     return lambda address="", **options: Visitor(window(**options), f"{server}/{address}")
 
 
@@ -79,7 +79,7 @@ RATIO = "ramanujan.last('drawn/oscillator').ratio"
 
 
 def check_stage(visitor: Visitor) -> Oscillator:
-    """Hold what the stage says to the core's numbers for the machine that is drawn; return the machine."""
+    """Compare the stage's readouts with the core's values for the drawn machine. Return the machine."""
     known = visitor.page.evaluate("ramanujan.last('drawn/oscillator').parameters")
     machine = Oscillator(**{name: known[name] for name in ("m", "m_prime", "k", "radius")})
     said = inside(visitor.page, "root.querySelector('[data-read=normalized]').textContent")
@@ -92,7 +92,7 @@ def test_first_page_drag_type_drag_the_slab_and_bring_both_into_step(at):
     page = visitor.page
     visitor.wait("globalThis.ramanujan?.last('time/oscillator')")
     visitor.hold(THUMB, 90)
-    # What is dragged is drawn and read in the next frame.
+    # The next frame shows the dragged value.
     assert check_stage(visitor).mass_ratio > 1.5
     page.mouse.up()
     visitor.wait("/m_prime=[2-9]/.test(location.search)")
@@ -195,7 +195,7 @@ def test_a_projector_is_turned_by_keys(at):
 def test_worksheet_on_paper(at):
     visitor = at("worksheet?level=1", width=681, height=1000)  # A4 without its margins
     visitor.until(".st-key-worksheet_picture img")
-    # Only one of three lets a test print: the rules for paper are taken for the screen.
+    # Only one of the three browsers can print in a test, so the rules for paper are applied to the screen.
     visitor.page.evaluate("""() => {
       const on = { screen: "not all", print: "all" };
       const sheets = [...document.styleSheets], rules = sheets.flatMap((sheet) => [...sheet.cssRules]);

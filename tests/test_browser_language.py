@@ -1,4 +1,4 @@
-"""The app in its pseudo-language: no sentence or decimal comma was forgotten, and longer words are not cut or covered.
+"""The app in its pseudo-language: every text is translated, and longer words are neither cut nor covered.
 
 They fit a narrow phone, too, where nothing scrolls sideways.
 """
@@ -20,33 +20,33 @@ STREAMLITS_OWN = (
         for label in ("Expand sidebar", "Decrement", "Increment", "Copy to clipboard", "Fullscreen")
     ),
 )
-"""Streamlit's own words, which are always English; no setting changes them."""
+"""Streamlit's own texts, which are always English."""
 NAMES = ("float32", "float64", "Markdown")
 """Names of formats, the same in every language."""
-FORGOTTEN = script("untranslated")
+UNTRANSLATED = script("untranslated")
 CUT = script("cut")
-"""What is wider than its place and does not scroll; Streamlit's bar of pages folds what does not fit into a menu."""
+"""Elements that are too wide and do not scroll. Streamlit's bar of pages moves such names into a menu."""
 OVERLAPS = script("overlaps")
-"""Pieces of text that lie on one another; of a line's height the middle three fifths count."""
+"""Overlapping texts; only the middle three fifths of a line's height count."""
 COVER = """() => {
   const [h1, tick] = [document.querySelector("h1"), document.querySelector(".js-plotly-plot svg .xtick text")];
   h1.insertAdjacentHTML("afterend", "<div style='position:relative;height:0;top:-3rem;margin:0'>over the title</div>");
   if (tick) tick.parentElement.appendChild(tick.cloneNode()).textContent = "over a tick";
   return tick ? ["over the title", "over a tick"] : ["over the title"];
 }"""
-"""Puts a text over the title, and one over a figure's tick; returns them."""
+"""Covers the title and the label of a tick with texts, and returns these."""
 
 
 BAR = """() => {
   const box = (node) => node.getBoundingClientRect(), names = [...document.querySelectorAll("header .rc-overflow > *")];
   return [Math.max(...names.map((node) => box(node).right)), box(document.querySelector(".st-key-bar")).left];
 }"""
-"""Where the names of the pages end, and where the bar begins that stands beside them."""
+"""The right end of the names of the pages, and the left end of the bar beside them."""
 SMALL = """() => [...document.querySelectorAll("main button, [data-testid=stSidebarNavLink]")]
   .filter((node) => node.offsetParent && node.tabIndex >= 0)
   .filter((node) => !node.closest(".modebar, .stTooltipIcon, [role=tablist]"))
   .filter((node) => node.getBoundingClientRect().height < 43.5).map((node) => node.outerHTML.slice(0, 160))"""
-"""What a finger could miss."""
+"""Targets that are too small for a finger."""
 WIDTHS = (
     """[document.documentElement, document.querySelector("[data-testid=stMain]")].map((each) => each.scrollWidth)"""
 )
@@ -57,20 +57,20 @@ ADDRESSES["taxicab"] += "?p=1000&q=999&digits=1000&left=sphere"
 
 @pytest.fixture
 def pseudo(monkeypatch: pytest.MonkeyPatch) -> Iterator[str]:
-    """The address of an app that speaks the pseudo-language."""
+    """The address of an app in the pseudo-language."""
     monkeypatch.setenv("RAMANUJAN_LANGUAGE", "pseudo")
     monkeypatch.setenv("RAMANUJAN_LANGUAGES", "en:/,hu:/hu/,pseudo:/pseudo/")
     with running(ROOT / "app.py") as address:
         yield address
 
 
-def test_no_sentence_was_forgotten_and_longer_words_fit_on_a_screen_and_on_a_narrow_phone(visit, pseudo):
+def test_every_text_is_translated_and_longer_words_fit_on_a_screen_and_on_a_narrow_phone(visit, pseudo):
     page = None
     for address in ADDRESSES.values():
         page = visit(address, network=pseudo, tab=page)
         assert "⟪" in page.locator("[data-testid=stMainBlockContainer]").inner_text()
         assert page.locator("html").get_attribute("lang") == "pseudo"
-        assert [text for text in page.evaluate(FORGOTTEN) if text not in (*STREAMLITS_OWN, *NAMES)] == []
+        assert [text for text in page.evaluate(UNTRANSLATED) if text not in (*STREAMLITS_OWN, *NAMES)] == []
         check_fit(page)
         pages, beside = page.evaluate(BAR)
         assert pages <= beside
@@ -80,7 +80,7 @@ def test_no_sentence_was_forgotten_and_longer_words_fit_on_a_screen_and_on_a_nar
         check_fit(page)
         become_phone(client, 320, 640)
         check_narrow(page)
-        # Negative control: a text that is put over another one is found.
+        # Negative control: a text over another one is reported.
         covers = page.evaluate(COVER)
         found = page.evaluate(OVERLAPS)
         assert all(any(cover in pair for pair in found) for cover in covers), found
@@ -110,20 +110,20 @@ def test_hovers_and_sliders_have_decimal_commas_and_minus_signs(visit, pseudo):
 
 
 def become_phone(client, width: int, height: int) -> None:
-    """Make a tab as large as a phone's screen, and touched."""
+    """Give a tab the size of a phone's screen, and touch input."""
     size = {"width": width, "height": height, "deviceScaleFactor": 1, "mobile": True}
     client.send("Emulation.setDeviceMetricsOverride", size)
     client.send("Emulation.setTouchEmulationEnabled", {"enabled": True, "maxTouchPoints": 5})
 
 
 def check_fit(page) -> None:
-    """Check that nothing is cut, and that no text lies on another one."""
+    """Check that nothing is cut, and that no texts overlap."""
     assert page.evaluate(CUT) == []
     assert page.evaluate(OVERLAPS) == []
 
 
 def check_narrow(page) -> None:
-    """Check that under every tab nothing scrolls sideways down to 320 px, and nothing is too small for a finger."""
+    """Check that no tab scrolls sideways down to 320 px, and that every target is large enough for a finger."""
     for tab in page.get_by_role("tab").all() or [page.locator("h1")]:
         tab.click()
         settle(page)

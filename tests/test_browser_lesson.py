@@ -1,4 +1,4 @@
-"""The lesson in a browser: nothing to see and nothing to hear before the prediction, then the machine runs."""
+"""The lesson in a browser: nothing reveals the answer before the prediction, then the machine runs."""
 
 import itertools
 import math
@@ -12,7 +12,7 @@ from tests.browser import next_frame, script, settle
 
 MACHINE = lesson.stop("two-clocks").machine
 STAGE = "[class*='st-key-stage_'] [data-testid=stBidiComponentIsolated]"
-SAID = script("texts")
+TEXTS = script("texts")
 PLACE = f"document.querySelector(\"{STAGE}\").shadowRoot.querySelector('.body.slab').getAttribute('transform')"
 WIDTH = "document.querySelector('[data-testid=stMain]').scrollWidth"
 BUS = "JSON.stringify(ramanujan.last('drawn/stage_two-clocks_0'))"
@@ -29,7 +29,7 @@ def inside(key: str) -> str:
 
 
 def counted(page) -> list[str]:
-    """Return the number of the present stop as written, and the sentence for screen readers."""
+    """Return the displayed number of the present stop, and the sentence for screen readers."""
     root = inside("turn")
     return page.evaluate(f"[{root}.querySelector('output').textContent, {root}.querySelector('input').ariaValueText]")
 
@@ -43,12 +43,12 @@ def heading(page) -> str:
     return page.locator("h1").inner_text()
 
 
-def test_a_student_goes_through_the_lesson_and_a_link_holds_the_place(visit):
+def test_a_student_takes_the_lesson_and_a_link_preserves_the_place(visit):
     page = visit("lesson", motion="no-preference")
     check_prediction(page)
     page.emulate_media(reduced_motion="reduce")
     check_turning(page)
-    # What is set and chosen is there again when the address is opened.
+    # The address preserves all settings and choices.
     address = page.url.rpartition("/")[2]
     assert {"stop=heavy-rollers", "chosen=two-clocks.behind", "m_prime=5.01"} <= set(re.split("[?&]", address))
     other = visit(address)
@@ -61,34 +61,34 @@ def test_a_student_goes_through_the_lesson_and_a_link_holds_the_place(visit):
     assert other.get_by_text("Right answer:").is_visible()
     check_machines(visit("lesson?stop=zero-modes&chosen=zero-modes.two", tab=other))
     check_stopwatch(visit("lesson?part=tasks&task=period", tab=other))
-    # The ending is no stop.
+    # The ending is not a stop.
     assert counted(visit("lesson?stop=end", tab=other)) == ["✓", "What you have seen"]
 
 
 def check_prediction(page) -> None:
-    """Check that before the prediction the machine stands and nothing tells, and that it runs then."""
+    """Check that before the prediction the machine is still and nothing reveals the answer; then it runs."""
     page.wait_for_selector(f"{STAGE} .body.slab[transform]", state="attached")
-    # The live region speaks half a second after things have come to rest.
+    # The live region announces half a second after the last change.
     page.wait_for_function("!ramanujan.last('announce')")
-    before, place = page.evaluate(SAID), page.evaluate(PLACE)
+    before, place = page.evaluate(TEXTS), page.evaluate(PLACE)
     assert [word for word in (*TELLING, *NUMBERS) if word in before] == []
     assert "normalized" not in page.evaluate(BUS)
     next_frame(page)
     assert page.evaluate(PLACE) == place
     predict(page, "Behind by less than one full turn.")
-    # It still stands: whoever doubts may choose again.
+    # The machine is still, and the choice can be changed.
     next_frame(page)
     assert page.evaluate(PLACE) == place
-    # Who goes on without a check is asked once; the place that the page shows comes back.
+    # A reader who continues without a check is asked once, and the control shows the present stop again.
     page.keyboard.press("ArrowRight")
     settle(page)
     assert heading(page) == f"1. {lesson.STOPS[0].heading}"
     expect(page.get_by_text("You have not checked your prediction yet.").first).to_be_visible()
     assert page.evaluate(f"{inside('turn')}.querySelector('input').value") == "1"
     predict(page, "Run the machine")
-    # Negative control: all of it is there now.
+    # Negative control: now all of it is on the page.
     page.wait_for_function(f"{PLACE} !== '{place}'")
-    after = page.evaluate(SAID)
+    after = page.evaluate(TEXTS)
     assert [word for word in TELLING[2:] if word in after][-3:] == ["in step", "Period", "full turn apart"]
     assert f"{MACHINE.period:.4g}" in after
     assert "normalized" in page.evaluate(BUS)
@@ -111,7 +111,7 @@ def check_turning(page) -> None:
     settle(page)
     assert heading(page) == f"3. {lesson.STOPS[2].heading}"
     assert page.locator(".st-key-m_prime input[type=range]").input_value() == "5"
-    # Where the arrows move a slider, they turn nothing.
+    # Arrow keys that move a slider do not turn stops.
     page.locator(".st-key-m_prime input[type=range]").focus()
     page.keyboard.press("ArrowRight")
     settle(page)
@@ -120,7 +120,7 @@ def check_turning(page) -> None:
 
 
 def check_machines(page) -> None:
-    """Check that machines to compare stand side by side, and on a phone above one another."""
+    """Check that machines to compare are side by side, and on a phone one below the other."""
     machines = page.locator(".st-key-observed_three svg.machine")
     expect(machines).to_have_count(3)
     boxes = [machine.bounding_box() for machine in machines.all()]
@@ -134,8 +134,8 @@ def check_machines(page) -> None:
 
 
 def check_stopwatch(page) -> None:
-    """Check that the stopwatch measures, and that nothing tells before."""
-    before = page.evaluate(SAID)
+    """Check that the stopwatch measures, and that nothing reveals the period before."""
+    before = page.evaluate(TEXTS)
     assert [text for text in NUMBERS if text in before] == []
     watch = page.locator(".st-key-task_stopwatch")
     watch.get_by_role("button", name="Start").click()
@@ -147,7 +147,7 @@ def check_stopwatch(page) -> None:
     assert float(judged[1]) == pytest.approx(shown / 10, abs=1e-3)
 
 
-def test_on_a_phone_the_verdict_is_seen_and_hands_are_compared_at_the_moment_of_the_question(visit):
+def test_on_a_phone_the_verdict_is_visible_and_hands_are_compared_at_the_moment_of_the_question(visit):
     page = visit("lesson?chosen=two-clocks.ahead", width=390, height=844)
     verdict, machine = (page.locator(place).first.bounding_box() for place in (".st-key-judged", "svg.machine"))
     reason = page.get_by_role("link", name="See the two clocks").bounding_box()
@@ -163,6 +163,6 @@ def test_on_a_phone_the_verdict_is_seen_and_hands_are_compared_at_the_moment_of_
         page = visit(f"lesson?{address}", width=390, height=844, tab=page)
         assert page.evaluate(WIDTH) <= 390, address
         if "contact" in address:
-            # The options come before the machine, so a small phone shows them without scrolling.
+            # The options precede the machine, so a small phone shows them without scrolling.
             stage, options = (page.locator(place).first.bounding_box()["y"] for place in (STAGE, ".st-key-options"))
             assert options < stage

@@ -1,4 +1,4 @@
-"""Links that people and programs have changed, and texts that are copied from a page."""
+"""Links modified by people and programs, and texts copied from a page."""
 
 import string
 from urllib.parse import parse_qsl, quote
@@ -13,7 +13,7 @@ from ramanujan.shell.navigation import PAGES
 from tests.test_addresses import OF_A_CLASS, meant
 
 UNTRIED = OF_A_CLASS | {"slide"}
-"""Codes have a test of their own, and any word may be the name of a slide."""
+"""Excluded parameters: codes have another test, and a slide can have any name."""
 AROUND = st.text(".,;:!?)]}>”’\"' \u00a0", max_size=4)
 CODES = st.text(ALPHABET, min_size=LETTERS, max_size=LETTERS)
 SEPARATORS = ("", " ", "-", "+", "%C2%A0", "%20", ".")
@@ -23,7 +23,7 @@ TRACKING = "utm_source utm_campaign fbclid gclid dclid gbraid wbraid msclkid ycl
 @pytest.mark.parametrize("name", PAGES)
 @settings(deadline=None)
 @given(end=AROUND)
-def test_what_follows_a_value_in_a_sentence_is_no_part_of_it(name, end):
+def test_punctuation_after_a_link_is_not_part_of_its_value(name, end):
     page = PAGES[name]
     for parameter in parameters_of(page):
         if parameter.name in UNTRIED or parameter.name.endswith("paused"):
@@ -36,7 +36,7 @@ def test_what_follows_a_value_in_a_sentence_is_no_part_of_it(name, end):
 
 @settings(deadline=None)
 @given(code=CODES, separator=st.sampled_from(SEPARATORS), end=AROUND, lower=st.booleans())
-def test_a_class_code_is_read_as_the_wall_prints_it(code, separator, end, lower):
+def test_a_class_code_is_read_as_printed_on_the_wall(code, separator, end, lower):
     text = spaced(code).replace(" ", separator)
     link = tidied("lesson", f"class={text.lower() if lower else text}{quote(end)}") or f"lesson?class={text}"
     assert link.upper() == f"LESSON?CLASS={code}"
@@ -44,31 +44,31 @@ def test_a_class_code_is_read_as_the_wall_prints_it(code, separator, end, lower)
 
 @settings(deadline=None)
 @given(query=st.text(string.printable + "éε²“”\x00\ud800", max_size=40))
-def test_a_tidy_address_stays_as_it_is(query):
+def test_a_valid_address_is_unchanged(query):
     for page in PAGES.values():
         text = query.encode("utf-8", "replace").decode("latin-1")
         link = tidied(page.path, text)
         assert link is None or tidied(*link.partition("?")[::2]) is None
 
 
-def test_a_number_in_the_address_means_what_it_means_in_the_box():
+def test_a_number_has_the_same_meaning_in_the_address_and_in_the_box():
     for text, value in {"9/8": 1.125, "9%2F8": 1.125, "1,05": 1.05, "9/7)": 9 / 7, "+3/4.": 0.75}.items():
         [(name, number)] = parse_qsl(tidied("", f"m_prime={text}").removeprefix("?"))
         assert (name, float(number)) == ("m_prime", value)
     assert tidied("", "m_prime=1.05&k=2e1") is None
-    # The page refuses these.
+    # The page rejects these.
     for text in ("9/0", "abc", "1/2/3", "1,050", ""):
         assert tidied("", f"m_prime={text}") is None
 
 
-def test_what_other_programs_append_is_dropped():
+def test_parameters_of_other_programs_are_dropped():
     for name in TRACKING.split():
         assert tidied("", f"{name}=x1&m=2") == "?m=2"
-    # Negative control: a setting that nobody knows stays, so that the page says so.
+    # Negative control: an unknown setting is kept, so that the page can report it.
     assert tidied("", "colour=red") is None
 
 
-def test_a_link_opens_the_page_that_it_names(visit, server):
+def test_a_link_opens_its_page(visit, server):
     app = visit("Derivation).?utm_source=mail&m_prime=9/8).&route=newton,&fbclid=abc", figures=False)
     assert app.url == f"{server}/derivation?m_prime=1.125&route=newton"
     assert app.get_by_role("alert").count() == 0
@@ -98,7 +98,7 @@ def test_a_copied_text_contains_each_formula_once(window, server, engine):
     assert text.startswith(r"$$\begin{aligned}{v_{\text{block}}} &= {- \dot{X}} &&\quad")
     assert text.count(r"{v_{\text{slab}}} &= {2\,R\,\dot{\varphi}}{ - \dot{X}}") == 1
     assert len(text.splitlines()) == 1
-    # A selection that begins inside of a formula takes all of it; one without formulas is the browser's.
+    # A selection that begins inside a formula contains all of it; without formulas the browser copies the text.
     assert display.locator(".mord").first.evaluate(COPIED)[0] == text
     assert page.locator("h1").evaluate(COPIED) == ["", ""]
     assert page.locator("body > div:last-child").evaluate("node => node.style.opacity") != "0"

@@ -1,4 +1,4 @@
-"""Nothing that somebody has set is lost: over slow and broken networks, and when the server is away.
+"""No setting is lost over slow and broken networks, or while the server is away.
 
 RAMANUJAN_CHANGES sets how many quick changes each page sees (500 for a thorough run).
 """
@@ -27,7 +27,7 @@ M_PRIME = ".st-key-m_prime input[type=range]"
 LINKS = "document.querySelectorAll('[data-testid=stTopNavLink]')"
 HEADING = ".st-key-lecture h2:visible"
 
-TOLD = "globalThis.ramanujan.last('machine/oscillator').parameters"
+PUBLISHED = "globalThis.ramanujan.last('machine/oscillator').parameters"
 PRESENT = "globalThis.ramanujan.last('drawn/oscillator').parameters"
 
 
@@ -43,7 +43,7 @@ def take_slab(page, centimetres: float) -> None:
 
 @pytest.fixture
 def late(visit, server) -> Iterator[Callable]:
-    """Open a page over a network; `late.by(seconds)` makes each way so slow, with the machine as it was at first."""
+    """Open a page over a network. `late.by(seconds)` sets its delay in each direction and restores the machine."""
     with Network(server) as way:
         pages = []
 
@@ -67,15 +67,15 @@ def address(page) -> dict[str, list[str]]:
 
 
 def drag(page, key: str, by: int, steps: int = 4) -> None:
-    """Drag the thumb of a slider by so many pixels."""
+    """Drag the thumb of a slider by `by` pixels."""
     hold(page, key, by, steps)
     page.mouse.up()
 
 
-def watch(page, name: str, topic: str, what: str) -> None:
-    """Keep what is said of the machine from now on, in window[name]."""
+def record(page, name: str, topic: str, item: str) -> None:
+    """Record an item of all later messages with a topic in window[name]."""
     page.evaluate(
-        f"window.{name} = []; ramanujan.subscribe('{topic}', (said) => window.{name}.push(said.{what}))",
+        f"window.{name} = []; ramanujan.subscribe('{topic}', (message) => window.{name}.push(message.{item}))",
     )
 
 
@@ -93,45 +93,45 @@ def test_over_a_slow_network_every_slider_preset_and_typed_value_is_kept(late):
 
 
 def check_slow_answer(page, late_by) -> None:
-    """Check that a slow answer to one slider does not take another back."""
+    """Check that a slow answer to one slider does not reset another one."""
     late_by(0.3)
     before = normalized(page)
     drag(page, "m_prime", 40)
-    watch(page, "seen", "drawn/oscillator", "normalized")
-    # While the answer is on its way, another slider moves; it must not show the old m′ again.
+    record(page, "ratios", "drawn/oscillator", "normalized")
+    # While the answer is on its way, another slider moves. The stage must not show the old m′ again.
     drag(page, "m", 72, steps=24)
     settle(page)
-    seen, machine = page.evaluate("window.seen"), page.evaluate(TOLD)
+    seen, machine = page.evaluate("window.ratios"), page.evaluate(PUBLISHED)
     final = Oscillator(machine["m"], machine["m_prime"], machine["k"], machine["radius"])
     assert machine["m"] > 1.5
     assert machine["m_prime"] > 1.5
     assert normalized(page) == pytest.approx(final.normalized_frequency_squared, rel=1e-6)
-    # m′ grew, then m: Ω²m/k fell at once and then rose step by step. A message that won would make it fall again.
+    # m′ grew, then m: Ω²m/k fell and then rose step by step. An outdated message would make it fall again.
     assert seen[0] < before
     assert len(seen) > 10
     assert all(a <= b + 1e-9 for a, b in pairwise(seen))
 
 
 def check_many_drags(page, late_by) -> None:
-    """Check that many drags end where the server is."""
+    """Check that after many drags page and server agree."""
     late_by(0.2)
     for key, by in (("m", 30), ("k", 50), ("m_prime", -10), ("k", -30), ("m", 12)):
         drag(page, key, by, steps=3)
-    # A wheel over a slider scrolls, and sets nothing.
+    # The wheel over a slider scrolls the page and does not change the slider.
     page.mouse.move(*thumb(page, "k"))
     before = page.locator(".st-key-k input[type=range]").input_value()
     page.mouse.wheel(0, 240)
     page.mouse.wheel(0, -240)
     press_preset(page, "Light rollers")
     settle(page)
-    told = page.evaluate(TOLD)
+    told = page.evaluate(PUBLISHED)
     assert told["k"] == float(before)
     assert page.evaluate(PRESENT) == told
     assert told["m_prime"] == pytest.approx(0.1 * told["m"])
 
 
 def check_keys(page, late_by) -> None:
-    """Check that every key press is kept."""
+    """Check that every key press counts."""
     late_by(0.6)
     slider, box = (page.locator(place) for place in (".st-key-k input[type=range]", ".st-key-k_exact input"))
     for presses, pause, expected in ((8, 250, 14.0), (20, 30, 24.0)):
@@ -146,14 +146,14 @@ def check_keys(page, late_by) -> None:
 
 
 def check_preset_and_typed_value(page, late_by) -> None:
-    """Check that a preset and a typed value outlast messages that were under way."""
+    """Check that earlier messages do not reset a preset and a typed value."""
     late_by(0.4)
     slider = page.locator(".st-key-k input[type=range]")
 
     def boxes(*keys: str) -> list[float]:
         return [float(page.locator(f".st-key-{key}_exact input").input_value()) for key in keys]
 
-    # The message about k leaves before the page has heard of the preset, and still carries the old m′.
+    # The message about k is sent before the page receives the preset, and contains the old m′.
     press_preset(page, "Light rollers")
     slider.focus()
     page.keyboard.press("ArrowRight")
@@ -172,7 +172,7 @@ def check_preset_and_typed_value(page, late_by) -> None:
 
 
 def check_preset_after_typing(page, late_by, seconds: float, stage: str = "oscillator") -> None:
-    """Check that a preset wins over what was typed before it."""
+    """Check that a preset replaces a value typed before it."""
     late_by(seconds)
     for preset in ("Equal masses", "Reset"):
         page.locator(BOX).fill("4.44")
@@ -184,7 +184,7 @@ def check_preset_after_typing(page, late_by, seconds: float, stage: str = "oscil
         expect(page.locator(BOX)).to_have_value("1.0")
         assert page.locator(M_PRIME).input_value() == "1"
         assert "m_prime" not in address(page)
-        assert page.evaluate(TOLD.replace("oscillator", stage))["m_prime"] == 1.0
+        assert page.evaluate(PUBLISHED.replace("oscillator", stage))["m_prime"] == 1.0
 
 
 def test_over_a_slow_network_a_lecture_keeps_its_preset_and_every_key_press(late):
@@ -203,7 +203,7 @@ def test_over_a_slow_network_a_lecture_keeps_its_preset_and_every_key_press(late
 # ---- the slab
 
 
-def test_nothing_takes_the_slab_out_of_the_hand_and_no_key_press_is_lost_behind_it(late):
+def test_no_message_moves_a_dragged_slab_and_no_key_press_after_it_is_lost(late):
     page = late()
     check_held_slab(page, late.by)
     check_keys_behind_the_slab(page, late.by)
@@ -211,11 +211,11 @@ def test_nothing_takes_the_slab_out_of_the_hand_and_no_key_press_is_lost_behind_
 
 
 def check_held_slab(page, late_by) -> None:
-    """Check that no message moves the slab while it is held."""
+    """Check that no message moves the slab during a drag."""
     late_by(0.3)
     drag(page, "m_prime", 40)
     take_slab(page, -3)
-    page.wait_for_timeout(200)  # the last jump has faded
+    page.wait_for_timeout(200)  # until the last jump has faded
     places = page.evaluate(
         """async () => {
           const places = [], end = performance.now() + 1800;
@@ -229,14 +229,14 @@ def check_held_slab(page, late_by) -> None:
     )
     assert max(places) - min(places) < 0.05
     page.mouse.up()
-    watch(page, "bent", "drawn/oscillator", "parameters.compression")
+    record(page, "bent", "drawn/oscillator", "parameters.compression")
     settle(page)
     assert set(page.evaluate("window.bent")) == {0.05}
-    assert page.evaluate(TOLD)["compression"] == pytest.approx(0.05)
+    assert page.evaluate(PUBLISHED)["compression"] == pytest.approx(0.05)
 
 
 def check_keys_behind_the_slab(page, late_by) -> None:
-    """Check that no key press is lost behind a released slab."""
+    """Check that no key press after a drag of the slab is lost."""
     late_by(0.1)
     for presses, pause in ((5, 150), (10, 0)):
         take_slab(page, -1 if presses == 5 else 1)
@@ -250,40 +250,40 @@ def check_keys_behind_the_slab(page, late_by) -> None:
         expected = 1 + presses / 100
         assert page.locator(M_PRIME).input_value() == f"{expected:.2f}".rstrip("0")
         assert float(address(page)["m_prime"][0]) == expected
-        told = page.evaluate(TOLD)
+        told = page.evaluate(PUBLISHED)
         assert told["m_prime"] == expected
         held = float(page.locator(COMPRESSION).input_value())
         assert told["compression"] == pytest.approx(held / 100)
         assert float(address(page).get("compression", ["8"])[0]) == pytest.approx(held)
 
 
-TOLD_AT_ONCE = """() => {
+NOTICE_AT_ONCE = """() => {
   const app = document.querySelector("[data-testid=stApp]");
   const services = document.querySelector(".st-key-services [data-testid=stBidiComponentIsolated]").shadowRoot;
   const notice = services.querySelector("p:not([role])");
-  new MutationObserver(() => requestAnimationFrame(() => (window.toldAtOnce ??= !notice.hidden)))
+  new MutationObserver(() => requestAnimationFrame(() => (window.noticeAtOnce ??= !notice.hidden)))
     .observe(app, { attributeFilter: ["data-test-connection-state"] });
 }"""
-"""Whether the notice is there in the frame in which Streamlit reports the loss, which disables the sliders."""
+"""Records whether the notice appears in the same frame in which Streamlit disables the sliders."""
 
 
 def check_broken_network(page, late) -> None:
-    """Check that a server that is killed and a network that breaks take nothing out of the hand.
+    """Check that no setting and no drag is lost when the server is killed or the network breaks.
 
     To the page a server that was killed is one that was away and knows nothing of it; of a real one see
     test_deployment.
     """
     late.by(0.0)
-    page.evaluate(TOLD_AT_ONCE)
+    page.evaluate(NOTICE_AT_ONCE)
     for by, left, killed in ((-3, 5, True), (-2, 3, True), (1, 4, False)):
         take_slab(page, by)
         late.way.down()
-        # The page says what has happened, and goes on by itself.
+        # The page shows a notice, and continues to work.
         notice = page.locator(".st-key-services p:not([role])")
         expect(notice).to_have_text("Reconnecting to the server. The page keeps everything that you set.")
         expect(notice).to_be_visible()
-        assert page.evaluate("window.toldAtOnce")
-        if left == 3:  # the slab is let go while nobody listens
+        assert page.evaluate("window.noticeAtOnce")
+        if left == 3:  # the slab is released while there is no connection
             page.mouse.up()
             next_frame(page)
         late.way.up(killed)
@@ -293,9 +293,9 @@ def check_broken_network(page, late) -> None:
         page.mouse.up()
         page.wait_for_url(f"**compression={left}**", timeout=5000)
         settle(page)
-        assert page.evaluate(TOLD)["compression"] == pytest.approx(left / 100)
+        assert page.evaluate(PUBLISHED)["compression"] == pytest.approx(left / 100)
         assert page.locator(COMPRESSION).input_value() == str(left)
-        # What was set before is set still, and can be changed.
+        # The settings are preserved and can be changed.
         page.locator(".st-key-m input[type=range]").press("ArrowRight")
         page.wait_for_url(f"**m=1.0{(5, 3, 4).index(left) + 1}**")
         settle(page)
@@ -329,39 +329,39 @@ def test_one_visit_is_one_entry_of_the_history_and_back_and_forward_go_through_t
     settle(page)
     assert page.evaluate("history.length") == before + 1
 
-    def seen(title: str) -> None:
+    def wait_for_page(title: str) -> None:
         expect(page.locator("h1").first).to_have_text(title)
         settle(page)
         assert address(page)["m_prime"] == ["2.03"]
         expect(page.locator(BOX)).to_have_value("2.03")
 
     page.go_back()
-    seen("Ramanujan’s oscillator")
+    wait_for_page("Ramanujan’s oscillator")
     page.evaluate(f"{LINKS}[1].click()")
-    seen("Many ways to one frequency")
+    wait_for_page("Many ways to one frequency")
     page.go_back()
-    seen("Ramanujan’s oscillator")
+    wait_for_page("Ramanujan’s oscillator")
     page.go_forward()
-    seen("Many ways to one frequency")
+    wait_for_page("Many ways to one frequency")
 
 
-DEAF = """if (!sessionStorage.wasDeaf) {
+WITHOUT_UPDATES = """if (!sessionStorage.wasDeaf) {
   sessionStorage.wasDeaf = true;
   globalThis.setInterval = () => 0;
   const later = setTimeout;
   globalThis.setTimeout = (act, pause, ...more) => later(act, pause === 20_000 ? 3_000 : pause, ...more);
 }"""
-"""A page that does not look for news, as when the end of a run was lost, until it is loaded anew, here sooner."""
+"""Stops the reruns of a page, as after a lost message, until the page is reloaded; the reload comes sooner here."""
 
 
-def test_a_wall_that_has_stopped_looking_for_news_follows_its_class_again(visit):
+def test_a_wall_whose_reruns_have_stopped_reloads_itself(visit):
     opened, stop = shared().open_class(), lesson.STOPS[0]
-    wall = visit(f"lesson?class={opened.code}&wall=on&view=projector", DEAF)
+    wall = visit(f"lesson?class={opened.code}&wall=on&view=projector", WITHOUT_UPDATES)
     shared().ask(opened.key, stop.id, list(stop.options))
     expect(wall.locator("h1")).to_have_text([stop.heading])
 
 
-def test_a_wall_keeps_its_question_and_one_small_notice_while_the_server_is_away(late, visit):
+def test_a_wall_shows_its_question_and_a_small_notice_while_the_server_is_away(late, visit):
     desk = visit("lesson", ASK_WHEN_TOLD)
     desk.locator(".st-key-class_door button").first.click()
     desk.locator(".st-key-class_open button").click()
@@ -373,7 +373,7 @@ def test_a_wall_keeps_its_question_and_one_small_notice_while_the_server_is_away
     question.wait_for()
     assert not notice.is_visible()
     late.way.down()
-    # Streamlit opens its box after some tries, where it is not seen.
+    # Streamlit opens its box after some attempts; page.css hides it.
     wall.locator(".stDialog").wait_for(state="attached", timeout=60_000)
     expect(notice).to_be_visible()
     expect(wall.locator(".stDialog")).to_be_hidden()

@@ -1,4 +1,4 @@
-"""The pure modules of the page, each imported alone by the browser: bus, sentences, motion, playback, clock."""
+"""Modules without the app, imported one by one in a browser: bus, begin, publish, motion, playback, clock."""
 
 import math
 
@@ -20,36 +20,36 @@ def page(bare) -> Bare:
 
 
 def run(bare: Bare, name: str, body: str, argument: object = None) -> object:
-    """Return what a function's body returns, to which `it` is the module of this name and `given` the argument."""
+    """Run the body of a JavaScript function; `it` is the module, `given` the argument. Return the result."""
     return bare.page.evaluate(f"async (given) => {{ const it = await {module(name)}; {body} }}", argument)
 
 
 def test_the_bus(page):
-    """Publish, subscribe until aborted, the last value; one bus for all."""
-    heard = run(
+    """Check publishing, subscribing until an abort, and the last value of the page's only bus."""
+    received = run(
         page,
         "components/bus",
         """
-        const { bus } = it, heard = [], stop = new AbortController();
+        const { bus } = it, received = [], stop = new AbortController();
         bus.publish("a", 1);
-        bus.subscribe("a", (value) => heard.push(["early", value]), { signal: stop.signal });
+        bus.subscribe("a", (value) => received.push(["early", value]), { signal: stop.signal });
         bus.publish("a", 2);
         stop.abort();
         bus.publish("a", 3);
-        bus.subscribe("a", (value) => heard.push(["aborted", value]), { signal: stop.signal });
+        bus.subscribe("a", (value) => received.push(["aborted", value]), { signal: stop.signal });
         bus.forget("a");
-        bus.subscribe("a", (value) => heard.push(["forgotten", value]));
-        return { heard, same: bus === ramanujan, known: bus.last("a") ?? null };
+        bus.subscribe("a", (value) => received.push(["forgotten", value]));
+        return { received, same: bus === ramanujan, known: bus.last("a") ?? null };
         """,
     )
-    assert heard == {
+    assert received == {
         "same": True,
         "known": None,
-        "heard": [["early", 1], ["early", 2]],
+        "received": [["early", 1], ["early", 2]],
     }
 
 
-def test_a_component_begins_once_hears_of_every_call_and_ends_with_the_last_one(page):
+def test_a_component_begins_once_is_updated_by_every_call_and_ends_with_the_last_one(page):
     seen = run(
         page,
         "begin",
@@ -69,9 +69,9 @@ def test_a_component_begins_once_hears_of_every_call_and_ends_with_the_last_one(
     assert seen == [2, 2, "ended", 3]
 
 
-def test_what_a_component_published_stays_when_its_double_ends(page):
-    """A view that changes holds a component twice for a moment; a stage that begins later hears of its machine."""
-    heard = run(
+def test_a_published_value_remains_when_a_double_of_the_component_ends(page):
+    """A change of the view puts a component on the page twice for a moment; a later stage still needs the value."""
+    received = run(
         page,
         "begin",
         """
@@ -86,40 +86,40 @@ def test_what_a_component_published_stays_when_its_double_ends(page):
         return [stayed, bus.last("machine") ?? "forgotten"];
         """.replace("BUS", module("components/bus")),
     )
-    assert heard == [1, "forgotten"]
+    assert received == [1, "forgotten"]
 
 
-def test_a_listener_that_fails_keeps_the_news_from_nobody(page):
-    heard = run(
+def test_an_exception_in_a_listener_does_not_affect_the_others(page):
+    received = run(
         page,
         "components/bus",
         """
-        const heard = [], stop = new AbortController(), { signal } = stop;
+        const received = [], stop = new AbortController(), { signal } = stop;
         const errors = new Promise((done) => addEventListener("error", (event) => {
           event.preventDefault();
           done(event.message);
         }, { once: true }));
         it.bus.subscribe("b", () => { throw Error("broken"); }, { signal });
-        it.bus.subscribe("b", (value) => heard.push(value), { signal });
+        it.bus.subscribe("b", (value) => received.push(value), { signal });
         it.bus.publish("b", 7);
         stop.abort();
-        const said = await errors;
+        const message = await errors;
         window.errors.length = 0;
-        return [heard, said];
+        return [received, message];
         """,
     )
-    assert heard[0] == [7]
-    assert "broken" in heard[1]
+    assert received[0] == [7]
+    assert "broken" in received[1]
 
 
-def test_samples_are_joined_by_straight_lines_and_stay_at_their_ends(page):
+def test_samples_are_interpolated_linearly_and_constant_beyond_their_ends(page):
     samples = {"per_period": 2, "q": [0, 1, 4]}
     found = run(page, "stage/motion", "return [-1, 0.25, 0.75, 9].map((t) => it.sampleAt(given, t * it.TURN))", samples)
     assert [q for q, _slope in found] == [0, 0.5, 2.5, 4]
     assert found[2][1] * -2 * math.pi == pytest.approx(6)
 
 
-def test_the_clocks_begin_together_whenever_the_two_frequencies_change(page):
+def test_the_clocks_start_together_whenever_the_two_frequencies_change(page):
     first, second = run(
         page,
         "stage/playback",
@@ -139,7 +139,7 @@ def test_the_clocks_begin_together_whenever_the_two_frequencies_change(page):
     assert second == 0
 
 
-def test_what_asks_for_another_frame_within_a_frame_gets_it(page):
+def test_a_frame_can_request_another_frame(page):
     frames = run(
         page,
         "stage/clock",
@@ -156,7 +156,7 @@ def test_what_asks_for_another_frame_within_a_frame_gets_it(page):
     assert frames == 4
 
 
-def test_stages_on_one_clock_run_together_and_the_last_one_takes_it_along(page):
+def test_stages_on_one_clock_run_together_and_the_clock_ends_with_the_last_one(page):
     result = run(
         page,
         "stage/clock",
@@ -175,7 +175,7 @@ def test_stages_on_one_clock_run_together_and_the_last_one_takes_it_along(page):
         await frames(2);
         const rested = ticks[0].length;
         await frames(3);
-        const rests = ticks[0].length === rested;
+        const stops = ticks[0].length === rested;
         it.wake();
         await frames(3);
         const woken = ticks[0].length - rested;
@@ -193,7 +193,7 @@ def test_stages_on_one_clock_run_together_and_the_last_one_takes_it_along(page):
         await frames(3);
         const fresh = it.joinClock("c", stage(0, 1), false, AbortSignal.abort());
         return { shared, slowing, each, alone, quick, ended: ticks[1].length === last, another: fresh !== clocks[0],
-          together, rests, woken,
+          together, stops, woken,
           least: Math.min(...ticks.flat()), most: Math.max(...ticks.flat()) };
         """,
     )
@@ -203,9 +203,9 @@ def test_stages_on_one_clock_run_together_and_the_last_one_takes_it_along(page):
     assert result["quick"] == 1
     assert result["each"][0] == result["each"][1] > 0
     assert result["alone"][0] == 0 < result["alone"][1]
-    # It goes on for both while one moves, rests when none does, and looks once when it is woken.
+    # The loop runs for both while one moves, stops when neither does, and runs one frame after `wake`.
     assert result["together"]
-    assert result["rests"]
+    assert result["stops"]
     assert result["woken"] == 1
     assert result["ended"]
     assert result["another"]

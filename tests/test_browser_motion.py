@@ -1,4 +1,4 @@
-"""The motion page in a browser: bytes, the shared time cursor, the download, what stands where."""
+"""The motion page in a browser: bytes, the shared time cursor, the download, the layout."""
 
 import numpy as np
 import pytest
@@ -19,7 +19,7 @@ def open_motion(visit, query="", **more):
 
 
 def nudge(page, key, press="ArrowRight"):
-    """Move a slider by one step, and return how many bytes the server sent for it."""
+    """Move a slider by one step. Return the number of bytes that the server sent."""
     before = len(traffic(page).received)
     page.locator(f".st-key-{key} input[type=range]").first.focus()
     page.keyboard.press(press)
@@ -28,7 +28,7 @@ def nudge(page, key, press="ArrowRight"):
 
 
 def cursor_times(page):
-    """The times [s] that the lines of all figures over time stand at, by Plotly's own scale, once all have a line."""
+    """Wait until all figures over time have a line. Return the lines' times [s] by Plotly's scale."""
     page.wait_for_function(
         """[...document.querySelectorAll(".js-plotly-plot")]
           .every(({ layout }, i, graphs) => layout &&
@@ -78,7 +78,7 @@ def check_cursor_by_keys(page):
     slider.fill("0.3")
     next_frame(page)
     period = page.evaluate("document.querySelector('.js-plotly-plot').layout.meta.period")
-    # A pixel of the line is about a hundredth of a second.
+    # A pixel is about a hundredth of a second.
     assert cursor_times(page) == [pytest.approx(0.3 * cache.PERIODS * period, abs=0.02)]
     assert page.locator(MARK).count() == 1 + 3
     slider.focus()
@@ -90,7 +90,7 @@ def check_cursor_by_keys(page):
 
 
 def check_orbit(page):
-    """Check that the dots on the orbits are the state at the cursor."""
+    """Check that the dots on the orbits agree with the state at the cursor."""
     page.get_by_label("Time cursor").fill("0")
     next_frame(page)
     places = page.evaluate(
@@ -110,7 +110,7 @@ def check_orbit(page):
 
 
 def check_hover_and_click(page):
-    """Check that a pointer reads a figure and leaves it in sight, and that a click takes the cursor along."""
+    """Check that a pointer shows the values without covering the figure, and that a click moves the cursor."""
     panels = page.locator(".js-plotly-plot").first.locator(".nsewdrag")
     panel = panels.first.bounding_box()
     for share in (0.4, 0.45):
@@ -120,17 +120,17 @@ def check_hover_and_click(page):
     covered = told.bounding_box()
     area = sum(each["width"] * each["height"] for each in map(lambda panel: panel.bounding_box(), panels.all()))
     assert 0 < covered["width"] * covered["height"] < 0.4 * area
-    # It stands beside the instant that it tells of, which is that of the nearest point drawn.
+    # The label is beside the moment of the nearest drawn point.
     assert covered["x"] > panel["x"] + 0.4 * panel["width"]
     page.mouse.move(panel["x"] + 0.6 * panel["width"], panel["y"] + 0.5 * panel["height"], steps=4)
     page.wait_for_timeout(400)
-    # A pointer that only passes over a figure reads it; the machine that was frozen stays as it is.
+    # A pointer without a click only shows values; the paused machine does not move.
     assert float(page.get_by_label("Time cursor").input_value()) == 0
     page.mouse.down()
     page.mouse.up()
     next_frame(page)
     assert float(page.get_by_label("Time cursor").input_value()) == pytest.approx(0.6, abs=0.01)
-    # One label for both panels: five bodies over the ground, four over the block.
+    # One label for both panels: five bodies relative to the ground, four relative to the block.
     assert page.locator(".hoverlayer .traces").count() == 9
 
 
@@ -146,7 +146,7 @@ def check_dragged_cursor(page):
     page.keyboard.press("Escape")
     next_frame(page)
     assert float(slider.input_value()) == pytest.approx(13 / 48, abs=1e-3)
-    # A click on a figure freezes the machine there; the line can be dragged.
+    # A click on a figure pauses the machine at that time; the line can be dragged.
     panel = page.locator(PLOT).first.bounding_box()
     page.mouse.click(panel["x"] + 0.5 * panel["width"], panel["y"] + 20)
     next_frame(page)
@@ -175,12 +175,12 @@ def check_energy(page):
     assert graph.locator(".infolayer .legendtext").count() == 0
 
 
-def test_where_the_model_or_the_picture_ends_the_page_says_so_and_nothing_jumps(visit):
+def test_the_limits_of_the_model_and_of_the_picture_are_reported_without_a_jump(visit):
     page = open_motion(visit, "?mu=0.07&figure=forces")
     page.emulate_media(reduced_motion="no-preference")
     check_greatest_friction(page)
     page.emulate_media(reduced_motion="reduce")
-    # Measured in the page: a key brings the slider that it moves into view.
+    # Positions are relative to the page, because a key scrolls its slider into view.
     place = "document.querySelector('[role=tab]').getBoundingClientRect().top"
     place += " + document.querySelector('[data-testid=stMain]').scrollTop"
     top = page.evaluate(place)
@@ -192,13 +192,13 @@ def test_where_the_model_or_the_picture_ends_the_page_says_so_and_nothing_jumps(
 
 
 def check_greatest_friction(page):
-    """Check that one button freezes machine and figures at the greatest friction."""
+    """Check that one button pauses machine and figures at the greatest friction."""
     page.locator(".st-key-moment button").click()
     next_frame(page)
     now = page.evaluate("globalThis.ramanujan.last('time/motion')")
     assert not now["playing"]
     assert cursor_times(page) == [pytest.approx(now["time"], abs=0.02)]
-    # No contact is nearer to slipping at any other instant: looked for among ten thousand, by the core.
+    # No contact is nearer to slipping at any of ten thousand other moments of the core.
     machine = Oscillator(1, 1, 10)
     spacing = cache.drawn_spacing(machine.radius)
     times = np.linspace(0, machine.period, 10_001)
@@ -212,7 +212,7 @@ def check_greatest_friction(page):
 
 
 def check_views(page):
-    """Check that to choose a view moves nothing above its figure, and brings the figure into view."""
+    """Check that the choice of a view moves nothing above its figure, and scrolls to the figure."""
     tabs = page.get_by_role("tab")
     tabs.first.scroll_into_view_if_needed()
     page.evaluate("document.querySelector('[data-testid=stMain]').scrollBy(0, 350)")
@@ -227,7 +227,7 @@ def check_views(page):
 
 
 def check_edge(page):
-    """Check that beyond the edge the picture stops, and says so."""
+    """Check that the picture stops at the edge with a note."""
     page.wait_for_selector(".time-cursor", state="attached")
     slider = page.get_by_label("Time cursor")
     slider.fill("0.999")

@@ -1,4 +1,4 @@
-"""The page's side in a browser: theme, one clock, the screen reader's tree, the host's page."""
+"""The app in a browser: loading, announcements, assumptions about Streamlit's page, the stage by keys and as a file."""
 
 import io
 import json
@@ -21,7 +21,7 @@ REGION = ".st-key-services [role=status]"
 # ---- the machine first
 
 FIRST = script("first_frame")
-"""Notes, at the stage's first frame, where the stage is, and how much of what takes long stands on the page.
+"""Records, at the stage's first frame, the stage's place and the number of slow elements on the page.
 
 Notes as well, in every frame, where the heading over the curve is.
 
@@ -30,11 +30,11 @@ The page asks for the rest when the machine is drawn, and not because ten second
 
 
 @pytest.mark.parametrize(("height", "link"), [(720, "?k=20&m=7"), (2400, "")])
-def test_the_machine_comes_before_all_that_takes_long_and_stays_where_it_is(chromium, server, height, link):
+def test_the_machine_appears_before_all_slow_elements_and_does_not_move(chromium, server, height, link):
     page = chromium.new_page(viewport={"width": 1280, "height": height}, bypass_csp=True)
     page.add_init_script(FIRST)
     held = []
-    if link:  # a machine that stands still, and what waits for it comes after it
+    if link:  # a still machine, and the elements that wait for it
         page.emulate_media(reduced_motion="reduce")
         page.route("**/arrival.js", lambda route: held.append(route))
     chromium.start_tracing(page=page, categories=["devtools.timeline"])
@@ -45,7 +45,7 @@ def test_the_machine_comes_before_all_that_takes_long_and_stays_where_it_is(chro
         route.continue_()
     page.locator(".st-key-curve .scatterlayer path").first.wait_for(state="attached")
     page.locator(".st-key-steps details").last.wait_for(state="attached")
-    # No word that Plotly measures lets the browser style the whole page anew.
+    # Plotly's measurements of words do not restyle the whole page.
     events = json.loads(chromium.stop_tracing())["traceEvents"]
     styled = [each["args"].get("elementCount", 0) for each in events if each["name"] == "UpdateLayoutTree"]
     assert len(styled) > 50
@@ -54,12 +54,12 @@ def test_the_machine_comes_before_all_that_takes_long_and_stays_where_it_is(chro
     assert first["heavy"] == 0
     box = page.locator(".st-key-stage").bounding_box()
     assert first["place"] == [box["x"], box["y"], box["width"]]
-    # What the address says holds from the first frame on, and what is said of it stays.
+    # The settings in the address apply from the first frame on, and messages about them remain.
     assert (first["m"], first["k"]) == (1, 20 if link else 10)
     assert page.locator(".st-key-k input[type=range]").input_value() == str(first["k"])
     assert page.locator("main [role=alert]").count() == bool(link)
     assert page.url.partition("?")[2] == ("k=20" if link else "")
-    # Nothing jumps when the curve and the steps are drawn.
+    # Drawing the curve and the steps causes no jump.
     heights = page.evaluate("heights")
     page.close()
     assert len(heights) > 5
@@ -69,7 +69,7 @@ def test_the_machine_comes_before_all_that_takes_long_and_stays_where_it_is(chro
 # ---- the screen reader's tree
 
 
-def test_what_happens_is_said_once_and_every_assumption_about_other_people_s_pages_holds(visit):
+def test_events_are_announced_once_and_the_assumptions_about_the_host_pages_are_true(visit):
     page = visit("motion?mu=1.5")
     page.emulate_media(reduced_motion="no-preference")
     region = page.locator(REGION)
@@ -77,28 +77,28 @@ def test_what_happens_is_said_once_and_every_assumption_about_other_people_s_pag
         """() => {
           const region = document.querySelector(".st-key-services [data-testid=stBidiComponentIsolated]").shadowRoot
             .querySelector("[role=status]");
-          window.said = [];
-          new MutationObserver(() => region.textContent && window.said.push(region.textContent))
+          window.announced = [];
+          new MutationObserver(() => region.textContent && window.announced.push(region.textContent))
             .observe(region, { childList: true, characterData: true, subtree: true });
         }"""
     )
 
-    def heard(part: str) -> None:
-        page.wait_for_function(f"window.said.some((sentence) => sentence.includes({part!r}))")
-        assert len([each for each in page.evaluate("window.said") if part in each]) == 1
-        page.evaluate("window.said = []")
+    def check_announced(part: str) -> None:
+        page.wait_for_function(f"window.announced.some((sentence) => sentence.includes({part!r}))")
+        assert len([each for each in page.evaluate("window.announced") if part in each]) == 1
+        page.evaluate("window.announced = []")
 
     page.get_by_role("button", name="Pause", exact=True).click()
-    heard("Paused.")
+    check_announced("Paused.")
     page.get_by_role("button", name="Steps, speed, view").click()
     page.get_by_role("button", name="Step forward").click()
-    heard("periods after release, t =")
+    check_announced("periods after release, t =")
     page.locator(".st-key-aside summary").first.click()
     page.get_by_text("Light rollers", exact=True).click()
-    heard("one full turn in")
+    check_announced("one full turn in")
     page.locator(".st-key-mu input[type=range]").focus()
     page.keyboard.press("Home")
-    heard("would slip")
+    check_announced("would slip")
     assert region.count() == 1
     with_sidebar = page.evaluate(HELD)
     check_assumptions(visit("", width=390, height=844, tab=page), with_sidebar)
@@ -108,7 +108,7 @@ HELD = f"{module('components/streamlit_dom')}.then({script('assumptions')})"
 
 
 def check_assumptions(page, elsewhere):
-    """Check what the app assumes about Streamlit's page, here or on another page; whichever breaks is named."""
+    """Check the app's assumptions about Streamlit's page, on this or on another page."""
     page.locator(".st-key-steps summary").nth(3).click()
     for awaited in (".katex-display .base", ".js-plotly-plot .nsewdrag"):
         page.wait_for_selector(awaited, state="attached")
@@ -116,7 +116,7 @@ def check_assumptions(page, elsewhere):
     holds = page.evaluate(HELD)
     assert len(holds) > 10
     assert [name for name, held in holds.items() if not (held or (held is None and elsewhere[name]))] == []
-    # Negative control: a slider that is not found agrees with nothing.
+    # Negative control: a missing slider satisfies no assumption.
     moved = f"""async () => {{
       const {{ dom }} = await {module("components/streamlit_dom")}, slider = dom.slider;
       dom.slider = () => null;
@@ -125,7 +125,7 @@ def check_assumptions(page, elsewhere):
       return [shows, ...Object.values(held).slice(0, 2)];
     }}"""
     assert page.evaluate(moved) == [False, False, True]
-    # A slider moved from the page is drawn by Streamlit, and nothing is sent.
+    # Streamlit draws a slider moved by the page, and sends nothing.
     sent = len(traffic(page).sent)
     page.evaluate(
         f"{module('components/streamlit_dom')}.then(({{ dom }}) => dom.moveSlider(dom.slider('compression'), 5))"
@@ -136,13 +136,13 @@ def check_assumptions(page, elsewhere):
 
 
 @pytest.mark.parametrize(("width", "height"), [(1280, 720), (390, 844)])
-def test_before_the_first_words_a_sketch_keeps_their_places(chromium, server, width, height):
-    """The server does not answer; heading, words and picture have their places."""
+def test_a_sketch_reserves_the_places_of_the_page_before_its_text(chromium, server, width, height):
+    """Heading, text and picture have their places although the server does not answer."""
     page = chromium.new_page(viewport={"width": width, "height": height}, bypass_csp=True)
     page.route_web_socket(re.compile("_stcore"), lambda _silent: None)
     page.goto(server)
     page.wait_for_selector("[data-testid=stApp]", state="attached")
-    page.add_style_tag(content=":root { --patience: 3600s; }")  # however slow the machine is
+    page.add_style_tag(content=":root { --patience: 3600s; }")  # for a slow machine
     next_frame(page)
     picture = Image.open(io.BytesIO(page.screenshot())).convert("RGB")
     paper = picture.getpixel((20, height - 20))
@@ -154,8 +154,8 @@ def test_before_the_first_words_a_sketch_keeps_their_places(chromium, server, wi
 # ---- the stage by keys, and as a file
 
 
-def check_untold_stage(page):
-    """Check that a stage whose numbers are still to come names nothing without a value."""
+def check_stage_without_data(page):
+    """Check that a stage without data has no name without a value."""
     unnamed = """async (begin) => {
       const root = document.body.appendChild(document.createElement("div"));
       const data = { stage: "untold", clock: "untold", layers: [], limits: { compression: [0, 0.1] }, watch: {} };
@@ -166,7 +166,7 @@ def check_untold_stage(page):
 
 
 def check_keys(page):
-    """Check that arrow keys go through the controls of the stage, and move what is under them."""
+    """Check that arrow keys move between the controls of the stage, and operate them."""
     stage = page.locator(".st-key-stage")
     focused = f"{STAGE}.activeElement.getAttribute('aria-label') ?? {STAGE}.activeElement.textContent"
     show = stage.get_by_role("button", name="Steps, speed, view")
@@ -180,7 +180,7 @@ def check_keys(page):
     assert page.evaluate(focused) == "Step forward"
     page.keyboard.press("ArrowRight")
     assert page.evaluate(focused) == "Release again"
-    # What opens has the keys that the browser gives it.
+    # A menu has the browser's keys.
     for _ in ("speed", "viewpoint", "energy"):
         page.keyboard.press("Tab")
     page.keyboard.press("Space")
@@ -193,10 +193,10 @@ def check_keys(page):
     assert "0.50 periods" in scrub.get_attribute("aria-valuetext")
 
 
-def test_the_stage_is_led_by_keys_and_saved_as_svg_png_and_tikz(visit, tmp_path):
-    """What the buttons download: whole, without a word of this page's, in the light theme's colours, and not empty."""
+def test_the_stage_is_operated_by_keys_and_saved_as_svg_png_and_tikz(visit, tmp_path):
+    """The downloaded files are complete, self-contained, in the light theme, and not empty."""
     page = visit(theme="dark")
-    check_untold_stage(page)
+    check_stage_without_data(page)
     check_keys(page)
     page.get_by_role("button", name="Steps, speed, view").click()
     page.get_by_role("button", name="Step forward").click()
@@ -219,7 +219,7 @@ def test_the_stage_is_led_by_keys_and_saved_as_svg_png_and_tikz(visit, tmp_path)
         assert "rgb({}, {}, {})".format(*rgb(THEME["light"][f"{colour}TextColor"])) in painted
     texts = {"".join(node.itertext()) for node in root.iter("{http://www.w3.org/2000/svg}text")}
     assert {"m", "m′", "k"} <= texts
-    # It shows the same machine: the shapes stand where they stand on the page.
+    # The shapes in the file have the same positions as on the page.
     slab = inside(page, "root.querySelector('.moving .slab').getAttribute('transform')")
     assert slab in {node.get("transform") for node in root.iter()}
     image = np.asarray(Image.open(io.BytesIO(files["png"])).convert("RGB"), dtype=int)
@@ -238,7 +238,7 @@ def test_the_stage_is_led_by_keys_and_saved_as_svg_png_and_tikz(visit, tmp_path)
         document = r"\documentclass{article}\usepackage{tikz}\usetikzlibrary{svg.path}\textwidth=50in\begin{document}%s"
         document += r"\end{document}"
         assert "Overfull" not in typeset(document % tikz, tmp_path)
-    # Plotly itself saves a figure.
+    # Plotly saves figures itself.
     page.locator(".st-key-curve .modebar-btn", has_text="PNG").wait_for(state="attached")
     page.locator(".st-key-curve .js-plotly-plot").hover()
     for format in ("SVG", "PNG"):

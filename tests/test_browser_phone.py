@@ -1,4 +1,4 @@
-"""The app under a finger: what is swiped over stays as it was, and sliders and machine are seen together."""
+"""The app on a phone: swipes change nothing, and sliders and machine are visible together."""
 
 from collections.abc import Callable
 from itertools import pairwise
@@ -10,14 +10,14 @@ from ramanujan import lesson
 from tests.browser import next_frame, settle
 
 SIZES = ((667, 375), (844, 390))
-"""Height and width of a small phone and of a usual one."""
+"""Height and width of a small and of a common phone."""
 THUMB = ".st-key-m_prime [style*=left]"
 SCROLLED = "document.querySelector('[data-testid=stMain]').scrollTop"
 CENTRED = "(node) => node.scrollIntoView({ block: 'center' })"
 
 
 class Phone:
-    """A page with touch, and what a finger does on it."""
+    """A page with touch input."""
 
     def __init__(self, page) -> None:
         self.page = page
@@ -46,17 +46,17 @@ class Phone:
         self.page.wait_for_timeout(400)
 
     def scrolled(self, top: float) -> None:
-        """Wait until the page has been scrolled down from there."""
+        """Wait until the page has been scrolled down from this position."""
         self.page.wait_for_function(f"{SCROLLED} > {top} + 50")
 
     def handle(self) -> None:
-        """Open or close the drawer, and wait until it has come to rest."""
+        """Open or close the drawer, and wait for the end of its movement."""
         self.page.locator(".st-key-handle button").tap()
         self.page.wait_for_timeout(100)
         self.page.wait_for_function("!document.querySelector('[data-testid=stSidebar]').getAnimations().length")
 
     def go_to(self, name: str, selector: str) -> None:
-        """Choose a page in the bar, and wait until it has come."""
+        """Choose a page in the bar, and wait for it."""
         self.page.locator("[data-testid=stSidebarNavLink]", has_text=name).tap()
         self.page.locator(selector).first.wait_for(state="attached")
         settle(self.page)
@@ -71,11 +71,11 @@ class Phone:
 
 
 def check_arrival(phone: Phone) -> None:
-    """Check that question, button, slider, machine and clock are seen together, also on a small phone."""
+    """Check that question, button, slider, machine and clock are visible together, also on a small phone."""
     seen = (".st-key-story button", ".st-key-m_prime", ".st-key-stage svg.machine", ".st-key-stage svg.dial")
     story = phone.page.locator(seen[0])
 
-    def check_seen() -> None:
+    def check_visible() -> None:
         expect(phone.page.get_by_text("Two machines, one spring")).to_be_in_viewport(ratio=1)
         boxes = [phone.box(each) for each in seen]
         assert all(a["y"] + a["height"] <= b["y"] + 1 for a, b in pairwise(boxes))
@@ -83,12 +83,12 @@ def check_arrival(phone: Phone) -> None:
 
     for height, width in SIZES:
         phone.page.set_viewport_size({"width": width, "height": height})
-        phone.swipe(phone.box(THUMB), 30, 2, meanwhile=check_seen)
+        phone.swipe(phone.box(THUMB), 30, 2, meanwhile=check_visible)
         phone.page.emulate_media(reduced_motion="no-preference")
         story.tap()
-        for said in ("Heavy rollers", "Lighter rollers"):
-            expect(phone.page.locator(".st-key-story .sentence")).to_contain_text(said)
-            check_seen()
+        for sentence in ("Heavy rollers", "Lighter rollers"):
+            expect(phone.page.locator(".st-key-story .sentence")).to_contain_text(sentence)
+            check_visible()
         story.tap()
         expect(story).to_have_text("Bring them into step")
         phone.page.emulate_media(reduced_motion="reduce")
@@ -96,7 +96,7 @@ def check_arrival(phone: Phone) -> None:
 
 
 def check_drawer(phone: Phone) -> None:
-    """Check that in the opened drawer all sliders, and above it the machine and its button are seen."""
+    """Check that all sliders are visible in the open drawer, and the machine and its button above it."""
     drawer = phone.box("[data-testid=stSidebar]")
     for key in ("m", "k", "compression"):
         place = phone.box(f".st-key-{key} .stSlider")
@@ -110,7 +110,7 @@ def check_drawer(phone: Phone) -> None:
 
 
 def check_sliders(phone: Phone) -> None:
-    """Check that only a horizontal move or a tap is meant for a slider."""
+    """Check that only a horizontal move or a tap changes a slider."""
     track, before = ".st-key-k .stSlider [role=group]", phone.sliders
     for dx, dy, at in ((5, -120, (0.7, 0.5)), (40, -110, (0.6, 0.5)), (4, 60, (0.09, 0.5))):
         phone.swipe(phone.box(track), dx, dy, at)
@@ -126,7 +126,7 @@ def check_sliders(phone: Phone) -> None:
 
 
 def check_return(phone: Phone) -> None:
-    """Check that, far down, opening the drawer brings the machine back, and closing it the place where one read."""
+    """Check that opening the drawer scrolls to the machine, and closing it scrolls back to the text."""
     phone.page.evaluate(f"{SCROLLED} = 900")
     phone.handle()
     assert phone.box("svg.machine")["y"] >= 0
@@ -135,14 +135,14 @@ def check_return(phone: Phone) -> None:
 
 
 def check_stop(phone: Phone) -> None:
-    """Check that a stop's button opens the drawer, and that machine, clock and slider are seen while a thumb moves."""
+    """Check that a stop's button opens the drawer, and that machine, clock and slider are visible during a drag."""
     for name in ("Ahead by less than one full turn.", "Run the machine", "Change it with the sliders"):
         phone.page.get_by_role("button", name=name).tap()
         settle(phone.page)
     handle, parting = phone.page.locator(".st-key-handle button"), phone.page.locator(".parting")
     expect(handle).to_have_attribute("aria-expanded", "true")
 
-    def check_seen() -> None:
+    def check_visible() -> None:
         places = ("svg.machine", "svg.dial", "[data-testid=stSidebar]", ".st-key-m_prime .stSlider")
         machine, dial, drawer, slider = map(phone.box, places)
         assert machine["y"] >= 48
@@ -159,11 +159,11 @@ def check_stop(phone: Phone) -> None:
         phone.page.set_viewport_size({"width": width, "height": height})
         phone.handle()
         before = parting.inner_text()
-        phone.swipe(phone.box(THUMB), 30, 2, meanwhile=check_seen)
+        phone.swipe(phone.box(THUMB), 30, 2, meanwhile=check_visible)
 
 
 def check_figure(phone: Phone) -> None:
-    """Check that a figure lets swipes through, and does not zoom."""
+    """Check that a swipe on a figure scrolls the page and does not zoom."""
     ranges = "(graph) => JSON.stringify(['xaxis', 'yaxis'].map((axis) => graph.layout[axis].range))"
     graph = phone.page.locator(".js-plotly-plot").first
     graph.evaluate(CENTRED)
@@ -174,7 +174,7 @@ def check_figure(phone: Phone) -> None:
 
 
 def check_cubes(phone: Phone) -> None:
-    """Check that a figure that can be turned lets swipes and wheels through."""
+    """Check that swipes and the wheel on the stacks of cubes scroll the page."""
     cubes = phone.page.locator(".st-key-cubes svg").first
     cubes.evaluate(CENTRED)
     phone.page.wait_for_timeout(300)
@@ -197,7 +197,7 @@ def test_a_visit_with_one_finger(visit):
     phone.handle()
     check_drawer(phone)
     check_sliders(phone)
-    # Choosing a page closes the drawer.
+    # The choice of a page closes the drawer.
     phone.go_to("Motion", ".js-plotly-plot .nsewdrag")
     assert handle.get_attribute("aria-expanded") == "false"
     assert handle.bounding_box()["y"] > 780

@@ -1,4 +1,4 @@
-"""The picture is physics: bodies, hands, bars and arrows as the browser draws them, against the numeric core.
+"""The drawn picture: bodies, hands, bars and arrows in the browser, against the numeric core.
 
 RAMANUJAN_MACHINES sets how many machines from anywhere on the sliders are drawn besides those at the corners.
 """
@@ -32,7 +32,7 @@ MACHINES = int(os.environ.get("RAMANUJAN_MACHINES", "1"))
 
 
 def machines(count: int) -> list[tuple[Oscillator, float]]:
-    """The corners of R and x₀ with unequal masses, and so many machines from anywhere on the sliders."""
+    """Return the corners of R and x₀ with unequal masses, and `count` random machines within the sliders' ranges."""
     random = np.random.default_rng(SEED)
 
     def anywhere(key: str) -> float:
@@ -47,7 +47,7 @@ def machines(count: int) -> list[tuple[Oscillator, float]]:
 
 
 TIMES = (0.0, 0.25, 0.5, 0.75, *np.random.default_rng(SEED).uniform(-1, 4, max(1, MACHINES)))
-"""Quarters of a period, and any moments before or after."""
+"""Times in periods: quarters of a period, and other moments before and after the release."""
 
 
 @pytest.fixture
@@ -57,18 +57,18 @@ def picture(bare) -> Picture:
 
 @pytest.fixture
 def pushed(bare) -> Picture:
-    """The motion page's stage: a machine that was pushed drifts, and the view goes with its centre of mass."""
+    """The motion page's stage: a pushed machine drifts, and the view follows its centre of mass."""
     return Picture(bare(), "motion", dials=False)
 
 
 def homes(picture: Picture, drawn: dict) -> dict[str, float]:
-    """Where the bodies' middles would be at q = 0 [m over the floor's zero], from a picture of a known state."""
+    """The bodies' centres at q = 0 [m from the zero of the floor], derived from a picture of a known state."""
     moved = ground_positions(picture.machine, picture.q)
     return {name: (x - picture.zero) / picture.pixels - moved[name] for name, x in places(drawn).items()}
 
 
 def check_bodies(picture: Picture, drawn: dict, home: dict[str, float]) -> None:
-    """Every body is where the core has it over the drawn floor, turned as far, and touches what it rolls on."""
+    """Check that every body has the core's position and angle, and touches the body that it rolls on."""
     machine, pixels = picture.machine, picture.pixels
     for value, x in drawn["ruler"]:
         assert x == pytest.approx(picture.zero + value / 100 * pixels, abs=2 * HALF_A_PIXEL), "the ruler is to scale"
@@ -97,7 +97,7 @@ def test_all_that_is_drawn_agrees_with_the_core(picture, some):
         picture.show(machine, compression)
         for periods in TIMES:
             drawn = picture.at(periods)
-            # Where bodies stand at q = 0 depends on R alone: read once, it must do for every x₀ and every state.
+            # The positions at q = 0 depend only on R. They are read once and must fit every x₀ and every state.
             home = known.setdefault(machine.radius, homes(picture, drawn))
             check_bodies(picture, drawn, home)
             check_clock(picture, drawn, home, periods)
@@ -132,7 +132,7 @@ def check_weights(picture: Picture, drawn: dict) -> None:
 
 
 def check_floor(picture: Picture, drawn: dict, masses: dict[str, float], g: float) -> None:
-    """The floor's force acts where its torque and the weights' turn the machine as it moves: Mg(x_N − x) = −dL/dt."""
+    """Check the line of action of the floor's force: Mg(x_N − x) = −dL/dt."""
     machine, left, riser, right = picture.machine, drawn["block"][0], drawn["spring"][2], drawn["block"][2]
     floor, upper = drawn["block"][3], drawn["block"][1]
     deck = drawn["rollers"]["hoop"]["centre"][1] + drawn["rollers"]["hoop"]["radius"]
@@ -158,8 +158,8 @@ def check_floor(picture: Picture, drawn: dict, masses: dict[str, float], g: floa
 
 
 @ANY_ENGINE
-def test_seen_from_the_block_it_stands_still_and_rolling_is_seen(picture, some):
-    """The floor moves then, and on a lower roller the velocities are 0, Rφ̇ and 2Rφ̇, whatever the block does."""
+def test_in_the_frame_of_the_block_it_is_still_and_the_velocities_of_rolling_are_drawn(picture, some):
+    """The floor moves, and the velocities on a lower roller are 0, Rφ̇ and 2Rφ̇ for any motion of the block."""
     switch = "root.querySelector('.viewpoint input').click()"
     picture.layers("arrows")
     picture.find(switch)
@@ -184,12 +184,12 @@ def test_seen_from_the_block_it_stands_still_and_rolling_is_seen(picture, some):
         assert np.ptp(blocks, axis=0).max() < HALF_A_PIXEL
         assert np.ptp(zeros) < 2 * HALF_A_PIXEL, "the floor moves by X"
     picture.find(switch)
-    # Negative control: seen from the ground it is the block that moves.
+    # Negative control: in the frame of the ground the block moves.
     assert np.ptp([picture.at(periods)["block"][0] for periods in (0.1, 0.6)]) > 2
 
 
 def check_clock(picture: Picture, drawn: dict, home: dict[str, float], periods: float) -> None:
-    """Both hands, and the plain mass, which swings by x₀ about one place."""
+    """Check both hands, and the plain mass, which oscillates with the amplitude x₀."""
     phase = math.sqrt(picture.machine.k / picture.machine.m) * picture.time
     assert difference(drawn["hands"]["machine"], 360 * periods) < ONE_DEGREE
     assert difference(drawn["hands"]["plain"], math.degrees(phase)) < ONE_DEGREE
@@ -200,7 +200,7 @@ def check_clock(picture: Picture, drawn: dict, home: dict[str, float], periods: 
 
 
 @ANY_ENGINE
-def test_a_pushed_machine_and_the_view_that_goes_with_it(pushed, some):
+def test_a_pushed_machine_and_the_view_that_follows_it(pushed, some):
     known: dict[float, dict[str, float]] = {}
     corners = machines(MACHINES)
     for machine, compression in some(corners[1:2] + corners[-1:]):
@@ -220,7 +220,7 @@ def test_a_pushed_machine_and_the_view_that_goes_with_it(pushed, some):
 
 @ANY_ENGINE
 def test_the_smallest_push_moves_the_picture_least(pushed):
-    """The view has no threshold at which it would jump from the floor to the centre of mass."""
+    """The view has no threshold for the change from the floor to the centre of mass."""
     machine = Oscillator(2.0, 0.7, 30.0)
     start = released(machine, 0.1).phi
     blocks = []
@@ -228,12 +228,12 @@ def test_the_smallest_push_moves_the_picture_least(pushed):
         pushed.show(machine, 0.1, InitialState(phi=start, X_dot=push))
         blocks.append([middle(pushed.at(periods)["block"]) for periods in (0.25, 0.5, 0.9)])
     assert np.ptp(blocks, axis=0).max() < HALF_A_PIXEL
-    # Negative control: the block itself moves, and further than half a pixel.
+    # Negative control: the block moves by more than half a pixel.
     assert np.ptp(blocks, axis=1).min() > 10
 
 
 def check_bars(picture: Picture, drawn: dict) -> None:
-    """Each bar is its body's share of the total energy ½kx₀², which the core knows without adding up."""
+    """Check that each bar is its body's share of the total energy ½kx₀²."""
     total = picture.machine.k * picture.compression**2 / 2
     shares = dict.fromkeys(BODY_COLORS, 0.0)
     for name, energy in energies(picture.machine, picture.q, picture.q_dot).items():
@@ -245,15 +245,15 @@ def check_bars(picture: Picture, drawn: dict) -> None:
 
 
 def check_arrows(arrows: dict, expected: dict, scale: dict) -> None:
-    """Check the length of arrows along the floor by their reference arrow."""
+    """Check the lengths of horizontal arrows by their scale arrow."""
     per_unit = length(scale["box"]) / scale["value"]
     assert arrows.keys() == expected.keys()
     for name, value in expected.items():
         assert length(arrows[name]) == pytest.approx(float(value) * per_unit, abs=2 * HALF_A_PIXEL), name
 
 
-def test_every_body_is_painted_in_its_own_colour_and_the_heavier_the_fuller(bare, some):
-    """From the pixels themselves: a body's fill lies on the way from the paper to its colour."""
+def test_every_body_is_painted_in_its_colour_with_a_density_that_grows_with_its_mass(bare, some):
+    """Compare pixels: a body's fill is a mixture of the background and its colour."""
     for theme in some(["light", "dark"]):
         check_paint(Picture(bare(theme=theme)), theme)
 
@@ -262,7 +262,7 @@ def check_paint(picture: Picture, theme: str) -> None:
     paper = rgb(THEME[theme]["backgroundColor"])
     fill = {name: rgb(THEME[theme][f"{color}Color"]) for name, color in BODY_COLORS.items()}
     fullness: dict[str, list[float]] = {}
-    # The light and what is inlaid lie over the body's own colour.
+    # Hide the shading and the inlays, which are drawn over the body's colour.
     picture.page.evaluate(f"{STAGE}.querySelectorAll('.shade, .inlay').forEach((each) => each.remove())")
     for m, m_prime in ((0.5, 0.1), (4.0, 6.0)):
         picture.show(Oscillator(m, m_prime), 0.08)
@@ -270,7 +270,7 @@ def check_paint(picture: Picture, theme: str) -> None:
         painted = picture.painted()
         R = drawn["rollers"]["top"]["radius"]
         block, slab = drawn["block"], drawn["slab"]
-        # Away from letters, lines and marks; the hoop is painted in its ring only.
+        # Points without letters, lines and marks; the hoop is painted only in its ring.
         spots = {name: (drawn["rollers"][name]["centre"], 0.7) for name in ("cylinder", "top")}
         spots["hoop"] = (drawn["rollers"]["hoop"]["centre"], 0.89)
         pixels = {name: (x - share * R, y) for name, ((x, y), share) in spots.items()}
@@ -289,7 +289,7 @@ def check_paint(picture: Picture, theme: str) -> None:
 
 @pytest.mark.parametrize("engine", ["chromium"])
 def test_bars_and_swatches_keep_their_colours(picture):
-    """Also where the system forces its own colours on everything else."""
+    """Check this also with forced colours."""
     for forced in ("none", "active"):
         picture.page.emulate_media(forced_colors=forced)
         painted = picture.find("""[...root.querySelectorAll(".bar i")].map((bar, i) => {
@@ -304,8 +304,8 @@ def test_bars_and_swatches_keep_their_colours(picture):
 
 
 @ANY_ENGINE
-def test_in_step_is_an_event_and_never_a_false_one(picture):
-    """The stage lights up only where no hand could part by a hundredth of a turn in a million periods."""
+def test_in_step_is_shown_if_and_only_if_it_is_true(picture):
+    """The stage lights up only if the hands separate by less than a hundredth of a turn in a million periods."""
     seen = {}
     for off in (0.0, -1e-9, 1e-7, 1e-3, 0.05, -0.2):
         # Ω/√(k/m) = 1 + off
@@ -326,7 +326,7 @@ def test_in_step_is_an_event_and_never_a_false_one(picture):
 
 
 @ANY_ENGINE
-def test_the_verdict_says_who_is_ahead_from_the_release_on_only(picture):
+def test_the_verdict_names_the_leading_hand_only_after_the_release(picture):
     def verdict(periods: float) -> str:
         picture.at(periods)
         return picture.find("root.querySelector('.verdict').textContent")
@@ -345,7 +345,7 @@ def test_the_verdict_says_who_is_ahead_from_the_release_on_only(picture):
         assert "behind" not in before
 
 
-def test_nothing_below_the_stage_moves_whatever_the_machine(bare, some):
+def test_nothing_below_the_stage_moves_for_any_machine(bare, some):
     for options, width in some(product(({}, {"dials": False}), (1280, 390))):
         picture = Picture(bare(width=width, height=844), **options)
         seen = set()
@@ -395,7 +395,7 @@ def test_the_floor_is_as_wide_as_its_ruler_and_no_label_is_cut(picture):
 
 
 def test_no_letter_is_covered_by_an_arrow_or_another_letter(picture, some):
-    """With every layer on, at several moments, for the smallest and the largest machine."""
+    """Check all layers at several moments, for the smallest and the largest machine."""
     picture.layers("energy", "arrows", "forces", "traces", "coordinates")
     boxes = f"""() => {{
       const named = (selector) => [...{STAGE}.querySelectorAll(selector)].map((node) => {{
@@ -426,7 +426,7 @@ def test_no_letter_is_covered_by_an_arrow_or_another_letter(picture, some):
 
 
 def overlap(a: list[float], b: list[float], inset: float) -> bool:
-    """Whether two boxes overlap, each smaller by so much of its height: a line's box has air above its letters."""
+    """Whether two boxes overlap, each reduced by a share of its height: a line is higher than its letters."""
 
     def inner(box: list[float]) -> list[float]:
         margin = inset * (box[3] - box[1])
@@ -438,7 +438,7 @@ def overlap(a: list[float], b: list[float], inset: float) -> bool:
 
 @ANY_ENGINE
 def test_the_layer_of_coordinates_shows_signs_and_sizes(picture, some):
-    """X to the left, angles clockwise, x₀ and R to scale, as drawn."""
+    """Check the drawing: X to the left, angles clockwise, x₀ and R to scale."""
     picture.layers("coordinates")
     read = f"""(mark) => {{
       const path = {STAGE}.querySelector(`[data-mark=${{mark}}]`), matrix = path.getScreenCTM();
@@ -467,7 +467,7 @@ def test_the_layer_of_coordinates_shows_signs_and_sizes(picture, some):
                 assert line["start"] == pytest.approx(centre, abs=HALF_A_PIXEL)
                 x, y = np.subtract(line["end"], line["start"])
                 assert difference(math.degrees(math.atan2(x, -y)), math.degrees(angle)) < ONE_DEGREE
-                # Clockwise: from the upper right of the rim down to the right.
+                # Clockwise: downwards on the right side of the rim.
                 arc = mark(f"{name}_sense")
                 assert arc["start"][0] > centre[0]
                 assert arc["box"][3] > arc["start"][1] + 2
@@ -492,8 +492,8 @@ def test_the_buttons_need_no_symbol_font(picture):
     assert buttons == [["", 1]] * 4
 
 
-def test_a_slider_s_thumb_moves_what_it_names_and_as_far(picture, some):
-    """Each slider in turn, two steps on, without an answer of a server."""
+def test_a_slider_s_thumb_changes_its_parameter_by_its_value(picture, some):
+    """Move each slider by two steps, without a server."""
     page = picture.page
     values = {"m": 2.0, "m_prime": 0.7, "k": 30.0, "radius": 8.0, "compression": 6.0}
     picture.bare.sliders(**values)
@@ -519,7 +519,7 @@ def test_a_slider_s_thumb_moves_what_it_names_and_as_far(picture, some):
 
 @ANY_ENGINE
 def test_the_speed_menu_changes_the_speed(picture):
-    """The phase that the page runs through, over the time of its own frames, at each speed."""
+    """Divide the change of the phase by the time of the frames, at each speed."""
     picture.show(Oscillator(), 0.08)
     picture.page.evaluate("setReducedMotion(false)")
     rate = """() => new Promise((done) => {

@@ -1,4 +1,4 @@
-"""What the browser prints: no sidebar, no controls, formulas and figures whole, light from a dark theme."""
+"""Printed pages: no sidebar, no controls, complete formulas and figures, always in light colours."""
 
 import os
 import re
@@ -24,14 +24,14 @@ CUT = """() => ['.katex-display > .katex, .main-svg, .st-key-worksheet_picture i
   .filter((node) => node.checkVisibility())
   .filter((node) => node.getBoundingClientRect().right > document.documentElement.clientWidth + 1)
   .map((node) => node.textContent.slice(0, 40))"""
-"""Formulas and figures that end beyond the edge of the paper."""
+"""Formulas and figures that extend beyond the edge of the paper."""
 PAPERS = {"A4": (794, 595.9), "Letter": (816, 612.0)}
 MARGINS = 113
 """Width of both margins of 15 mm [px]."""
 
 
 CLOSEST = 1.5
-"""What glyphs of different lines keep between them [pt]."""
+"""Smallest distance between glyphs of different lines [pt]."""
 
 
 def printed(page, paper: str) -> PdfDocument:
@@ -39,7 +39,7 @@ def printed(page, paper: str) -> PdfDocument:
 
 
 def words(sheet: PdfPage) -> str:
-    """Return what is written above the number of the page."""
+    """Return the text of a page, without its number."""
     return sheet.get_textpage().get_text_bounded(bottom=MARGINS * 3 / 8).replace("\r", "").strip()
 
 
@@ -57,21 +57,21 @@ def touching(sheet: PdfPage) -> list[str]:
         for top, _, start, end, below, other in glyphs[i + 1 :]:
             if top < bottom - CLOSEST:
                 break
-            # Accents, indices and powers are close to their own letters: on the paper or in its text.
+            # Accents, indices and powers are close to their own letters, on the paper or in the text.
             if line - below > 4 and abs(place - other) > 9 and min(right, end) > max(left, start):
                 found.append(f"{text.get_text_range(place, 9)} is too close to {text.get_text_range(other, 9)}")
     return found
 
 
 def filled(sheet: PdfPage) -> float:
-    """Return how far down between its margins a sheet has ink, as a share."""
+    """Return the share of a sheet's height, between its margins, down to the last ink."""
     (width, height), margin = sheet.get_size(), MARGINS * 3 / 8
     ink = ImageOps.invert(sheet.render(grayscale=True).to_pil()).crop((0, margin, width, height - margin))
     return ink.getbbox()[3] / ink.height
 
 
 def check_paper(page) -> None:
-    """Check that on paper nothing is cut or dark and no sidebar is seen."""
+    """Check that on paper nothing is cut or dark, and that the sidebar is hidden."""
     page.emulate_media(media="print", color_scheme="dark", reduced_motion="reduce")
     for width, _points in PAPERS.values():
         page.set_viewport_size({"width": width - MARGINS, "height": 1000})
@@ -84,11 +84,11 @@ def check_paper(page) -> None:
 
 
 SHEETS = {"oscillator": 6, "derivation": 11, "motion": 3, "taxicab": 6, "speed": 4}
-"""Page → how many sheets of A4 it takes at most; the six open steps of the first page take three of its six."""
+"""Page → largest number of sheets of A4; three of the first page's six sheets contain its six open steps."""
 
 
 def check_printed(page, most: int) -> None:
-    """Check that a page, in the dark theme and with its six steps open if it has them, comes on so many sheets.
+    """Check the number of sheets of a page, in the dark theme and with its six steps open if it has them.
 
     Nothing is cut, nothing is dark, no sheet is empty, and a step stands on one sheet with its equations.
     """
@@ -103,7 +103,7 @@ def check_printed(page, most: int) -> None:
         width = page.locator(".js-plotly-plot").evaluate("figure => figure.clientWidth")
         share = float(page.evaluate("document.documentElement.style.getPropertyValue('--printed')"))
         assert 600 < width * share <= PAPERS["A4"][0] - MARGINS
-    # A browser that prints tells no script how wide the paper is, and draws no figure anew.
+    # A printing browser does not report the width of the paper to scripts, and redraws no figure.
     client, screen = page.context.new_cdp_session(page), page.viewport_size
     client.send("Emulation.setScriptExecutionDisabled", {"value": True})
     check_paper(page)
@@ -113,10 +113,10 @@ def check_printed(page, most: int) -> None:
 
 
 SHEETS_TRIED = 15 if os.environ.get("RAMANUJAN_DEEP") else 1
-"""Names whose four sheets are printed: a derivation of each level, and the key."""
+"""Codes of worksheets whose four sheets are printed: a derivation of each level, and the key."""
 
 
-def test_a_worksheet_fills_its_pages_and_its_lines_keep_apart(visit):
+def test_a_worksheet_fills_its_pages_and_its_lines_do_not_touch(visit):
     for number, machine in zip(range(SHEETS_TRIED), cycle(MACHINES)):
         sheet = f"worksheet?seed={name_of(number)}&m={machine.m}&m_prime={machine.m_prime}&k={machine.k}"
         page = None
@@ -142,5 +142,5 @@ def check_worksheet(pdf: PdfDocument, width: float) -> None:
     total = re.findall(r"Points\s+of (\d+)", texts[0])
     assert len(points) == 17
     assert sum(map(int, points)) == sum(map(int, total or points))
-    # A question is not torn: of 120 papers, one on Letter has two pages that are 0.782 full; all others are 0.8 full.
+    # A question is never split. Of 120 sheets, one on Letter has two pages filled to 0.782; all others to at least 0.8.
     assert [share for share in map(filled, list(pdf)[:-1]) if share < 0.78] == []

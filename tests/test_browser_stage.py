@@ -1,4 +1,4 @@
-"""The stage in a real browser: what it shows, what it costs, what a hand can do with it."""
+"""The stage in a browser: readouts, controls, reduced motion, hidden parts."""
 
 import math
 from itertools import pairwise
@@ -9,6 +9,8 @@ from ramanujan import UNIT_MASS_RATIO, Oscillator
 from tests.browser import next_frame
 from tests.engines import ANY_ENGINE
 from tests.picture import Picture
+
+RECORD_ANNOUNCEMENTS = "() => bus.subscribe('announce', ({ sentence }) => (window.announced ??= []).push(sentence))"
 
 
 @pytest.fixture
@@ -21,7 +23,7 @@ def slab(picture) -> float:
 
 
 @ANY_ENGINE
-def test_the_readouts_are_the_core_s_numbers_and_fast_motion_is_slowed_and_says_so(picture):
+def test_the_readouts_agree_with_the_core_and_fast_motion_is_slowed_with_a_note(picture):
     for m, m_prime, k in [(0.5, 10.0, 1.0), (0.5, 0.05, 200.0), (0.77, 1.3, 33.5)]:
         machine = Oscillator(m, m_prime, k)
         picture.show(machine, 0.08)
@@ -30,14 +32,14 @@ def test_the_readouts_are_the_core_s_numbers_and_fast_motion_is_slowed_and_says_
             ("omega", machine.natural_frequency, 1e-4),
             ("period", machine.period, 1e-3),
         ):
-            said = picture.find(f"root.querySelector('[data-read={name}]').textContent")
-            assert float(said.split()[0]) == pytest.approx(value, rel=accuracy)
+            readout = picture.find(f"root.querySelector('[data-read={name}]').textContent")
+            assert float(readout.split()[0]) == pytest.approx(value, rel=accuracy)
         assert ("times its real speed" in picture.find("root.querySelector('.note').textContent")) == (k == 200)
 
 
 @ANY_ENGINE
 def test_nothing_jumps_when_a_parameter_changes(picture):
-    """The machine moves at once, frame by frame across a preset never further than twice its greatest speed allows."""
+    """The machine moves at once, and in every frame by at most twice the distance of its greatest speed."""
     page = picture.page
     page.evaluate("setReducedMotion(false)")
     picture.find("""(() => {
@@ -61,14 +63,14 @@ def test_nothing_jumps_when_a_parameter_changes(picture):
     assert max(moved - 2 * (fastest + fading) * ms / 1000 for ms, moved in steps) < 2
     assert sum(moved for _, moved in steps) > 20
     picture.find("root.querySelector('[data-do=play]').click()")
-    page.wait_for_timeout(500)  # what fades has faded
+    page.wait_for_timeout(500)  # until the offset has faded
     still = slab(picture)
     page.wait_for_timeout(300)
     assert slab(picture) == still
 
 
-def test_buttons_layers_and_keys_do_as_much(picture):
-    """How far they move the picture is measured in test_browser_picture."""
+def test_buttons_layers_and_keys_have_the_same_effects(picture):
+    """test_browser_picture measures how far they move the picture."""
     page, press = picture.page, picture.page.keyboard.press
     share = "Number(root.querySelector('.scrub input').value)"
     for action, expected in (("restart", 0), ("forward", 1 / 24), ("forward", 2 / 24), ("back", 1 / 24)):
@@ -91,7 +93,7 @@ def test_buttons_layers_and_keys_do_as_much(picture):
         assert picture.find(display) == ""
         drawn = f"[...root.querySelectorAll('.{layer} path')].map((path) => path.getAttribute('d')?.length ?? 0)"
         assert max(picture.find(drawn)) > 3
-    # A click elsewhere closes what was opened.
+    # A click elsewhere closes an open menu.
     opened = "root.querySelector('[popover]').matches(':popover-open')"
     box = picture.find("root.querySelector('.show').getBoundingClientRect()")
     page.mouse.click(box["x"] + box["width"] / 2, box["y"] + box["height"] / 2)
@@ -100,21 +102,21 @@ def test_buttons_layers_and_keys_do_as_much(picture):
     assert not picture.find(opened)
 
 
-def test_less_motion_is_a_still_described_in_words_and_its_wish_is_followed_at_once(bare):
+def test_less_motion_is_a_still_described_in_words_and_the_preference_takes_effect_at_once(bare):
     here = bare()
     here.sliders(m=1, m_prime=1, k=10, compression=8, radius=10)
-    here.page.evaluate("() => bus.subscribe('announce', ({ sentence }) => (window.said ??= []).push(sentence))")
+    here.page.evaluate(RECORD_ANNOUNCEMENTS)
     picture = Picture(here)
     page = picture.page
     turns = 1 / (math.sqrt(Oscillator().normalized_frequency_squared) - 1)
-    (said,) = page.evaluate("said")
-    assert f"{Oscillator(1, 1, 10).period:.2f}" in said
-    assert f"{turns:.1f}" in said
+    (sentence,) = page.evaluate("announced")
+    assert f"{Oscillator(1, 1, 10).period:.2f}" in sentence
+    assert f"{turns:.1f}" in sentence
     play = "root.querySelector('[data-do=play]').ariaLabel"
     assert picture.find(play) == "Play"
     ghosts = "root.querySelectorAll('.ghosts > g').length"
     assert picture.find(ghosts) == 5
-    # Another machine has exposures of its own, in place of those that were there, and they are silent.
+    # Another machine has other exposures, which are hidden from screen readers.
     drawn = picture.find("root.querySelector('.ghosts').innerHTML")
     page.evaluate("document.querySelector('.st-key-m_prime input').focus()")
     page.keyboard.press("PageUp")
@@ -122,7 +124,7 @@ def test_less_motion_is_a_still_described_in_words_and_its_wish_is_followed_at_o
     assert picture.find("root.querySelector('.ghosts').innerHTML") != drawn
     assert picture.find(ghosts) == 5
     assert picture.find("root.querySelectorAll('.ghosts :is([role], [tabindex], [aria-valuenow])').length") == 0
-    # The last exposure is half a period on: the slab as far on the other side.
+    # The last exposure is half a period later, with the opposite compression.
     x = "(ghost, name) => ghost.querySelector(name).transform.baseVal[0].matrix.e"
     first, last = picture.find(
         f"[0, 4].map((i) => root.querySelectorAll('.ghosts > g')[i])"
@@ -132,7 +134,7 @@ def test_less_motion_is_a_still_described_in_words_and_its_wish_is_followed_at_o
     place = slab(picture)
     page.wait_for_timeout(300)
     assert slab(picture) == place
-    # Percentages are written for a machine that stands: nobody can read those that run.
+    # Percentages are shown only for a paused machine, because running numbers cannot be read.
     share = "getComputedStyle(root.querySelector('.legend b')).visibility"
     assert picture.find(share) == "visible"
     page.evaluate("setReducedMotion(false)")
@@ -144,13 +146,13 @@ def test_less_motion_is_a_still_described_in_words_and_its_wish_is_followed_at_o
     next_frame(page)
     assert (picture.find(play), picture.find(ghosts)) == ("Play", 5)
     picture.show(Oscillator(1, UNIT_MASS_RATIO, 10), 0.08)
-    page.evaluate("document.querySelectorAll('.stSlider').forEach((each) => each.remove())")
+    page.evaluate("document.querySelectorAll('.slider').forEach((each) => each.remove())")
     picture.show(Oscillator(1, UNIT_MASS_RATIO, 10), 0.08)
-    assert "in step" in page.evaluate("said.at(-1)")
+    assert "in step" in page.evaluate("announced.at(-1)")
 
 
 MACHINE = Oscillator(1.0, 2.0, 10.0)
-TELLING = {
+REVEALING = {
     f"{MACHINE.normalized_frequency_squared:.7f}"[:6],
     f"{MACHINE.natural_frequency:.3f}",
     f"{MACHINE.period:.2f}",
@@ -161,24 +163,24 @@ WORDS = """[...root.querySelectorAll(":not(script, style)")].flatMap((node) => [
   ...[...node.childNodes].filter((each) => each.nodeType === 3).map((each) => each.data),
   ...[...node.attributes].filter((each) => /^(aria|title)/.test(each.name)).map((each) => each.value),
 ]).join("\\n")"""
-"""All words of the stage, those for the eye and those for a screen reader."""
+"""All texts of the stage, including those for screen readers."""
 
 
 @ANY_ENGINE
-def test_what_is_hidden_is_neither_drawn_nor_said(bare):
-    """What the page says around the stage is in test_scene_view."""
+def test_hidden_parts_are_neither_drawn_nor_announced(bare):
+    """test_scene_view checks the texts around the stage."""
     for hide in (("clocks", "numbers"), ()):
         here = bare()
-        here.page.evaluate("() => bus.subscribe('announce', ({ sentence }) => (window.said ??= []).push(sentence))")
+        here.page.evaluate(RECORD_ANNOUNCEMENTS)
         picture = Picture(here, machine=MACHINE, hide=hide)
         words = [picture.find(WORDS)]
         for action in ("forward", "back"):
             picture.find(f"root.querySelector('[data-do={action}]').click()")
             next_frame(picture.page)
             words.append(picture.find(WORDS))
-        said = "\n".join([*words, *here.page.evaluate("window.said ?? []")])
-        # The negative control: where nothing is hidden, all of it is found.
-        assert {text for text in TELLING if text in said} == (set() if hide else TELLING)
+        texts = "\n".join([*words, *here.page.evaluate("window.announced ?? []")])
+        # Negative control: without hidden parts, all of these texts occur.
+        assert {text for text in REVEALING if text in texts} == (set() if hide else REVEALING)
         parts = picture.find("root.querySelectorAll('.dial, .gauge, .verdict, .parting, .readouts, .legend b').length")
         assert (parts == 0) == bool(hide)
         assert (here.page.evaluate("bus.last('drawn/oscillator').normalized ?? null") is None) == bool(hide)
@@ -186,7 +188,7 @@ def test_what_is_hidden_is_neither_drawn_nor_said(bare):
 
 
 @ANY_ENGINE
-def test_a_machine_whose_motion_is_hidden_stands_still(bare):
+def test_a_machine_with_hidden_motion_is_still(bare):
     picture = Picture(bare(), hide=("motion",))
     picture.page.evaluate("setReducedMotion(false)")
     place = slab(picture)

@@ -1,4 +1,4 @@
-"""The standalone file: small, without a request, as true as the app, from disk and in a frame of another site."""
+"""The standalone file: its size, no requests, exact numbers, from disk and in a frame of another site."""
 
 import gzip
 import random
@@ -30,14 +30,14 @@ READ = f"""() => {{
   const hands = ["machine", "plain"].map((name) => root.querySelector(`.hand.${{name}}`).getAttribute("transform"));
   return {{ drawn: {READY}, hands, note: document.querySelector(".note").textContent, ...Object.fromEntries(texts) }};
 }}"""
-"""The machine that is drawn, the readouts, the hands and the note below the sliders."""
+"""The drawn machine, the readouts, the hands and the note below the sliders."""
 TYPE = """([key, text]) => {
   const box = document.querySelector(`.st-key-${key}_exact > div`).shadowRoot.querySelector("input");
   box.value = text;
   box.dispatchEvent(new Event("change"));
   return new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done)));
 }"""
-"""Types a text into a slider's box."""
+"""Enter a text into a slider's box."""
 SEEK = """(time) => {
   ramanujan.publish("seek/oscillator", { time });
   return new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done)));
@@ -78,7 +78,7 @@ def test_the_file_is_small(file):
 
 
 def test_the_file_runs_from_disk(window, file):
-    """The address sets the machine; boxes take fractions and commas, and refuse the rest with a sentence."""
+    """The address sets the machine; boxes accept fractions and commas, and reject other texts with a message."""
     page = opened(window(), f"{file.as_uri()}#m_prime=9/8&k=20,5&x=1&m=9")
     seen = page.evaluate(READ)
     assert seen["drawn"]["ratio"] == 1.125
@@ -93,7 +93,7 @@ def test_the_file_runs_from_disk(window, file):
         seen = page.evaluate(READ)
         assert seen["note"].startswith(sentence)
         assert seen["drawn"]["ratio"] == 5 / 6
-    # With less motion the story ends at once.
+    # With reduced motion the story ends at once.
     page.evaluate("document.querySelector('.st-key-story > div').shadowRoot.querySelector('button').click()")
     page.wait_for_function("Math.abs(ramanujan.last('drawn/oscillator').normalized - 1) < 1e-14")
     page.wait_for_function("location.hash.includes('m_prime=1.127')")
@@ -101,7 +101,7 @@ def test_the_file_runs_from_disk(window, file):
 
 @pytest.mark.parametrize("engine", ["chromium"])
 def test_the_file_agrees_with_exact_frequencies(window, file, engine):
-    """40 machines: the drawn Ω²m/k, the readouts, the turns of both hands after some periods."""
+    """Check the drawn Ω²m/k, the readouts, and both hands after some periods, for 40 machines."""
     page, chance = opened(window(), file.as_uri()), random.Random(1729)
     for _ in range(40):
         values = {}
@@ -124,7 +124,7 @@ def test_the_file_agrees_with_exact_frequencies(window, file, engine):
 
 
 @pytest.mark.parametrize("engine", ["chromium"])
-def test_the_curve_and_its_marks_are_those_of_the_machine(window, file, engine):
+def test_the_curve_and_its_marks_agree_with_the_machine(window, file, engine):
     page = opened(window(), file.as_uri())
     path = page.locator(".curve .line").get_attribute("d")
     points = [tuple(map(float, each.split())) for each in path[1:].split("L")]
@@ -136,13 +136,13 @@ def test_the_curve_and_its_marks_are_those_of_the_machine(window, file, engine):
         ratio = 0.01 * 10 ** ((x - left) / (ten_times - left))
         omega_squared, _plain = exact({"m": 1, "m_prime": ratio, "k": 1})
         assert (zero - y) / (zero - half) / 2 == pytest.approx(float(omega_squared), abs=1e-4)
-    # A click near the star takes the ratio in step.
+    # A click near the star selects the ratio in step.
     page.locator(".curve circle.unit").click(force=True)
     page.wait_for_function("Math.abs(ramanujan.last('drawn/oscillator').normalized - 1) < 1e-14")
 
 
 @ANY_ENGINE
-def test_a_box_reads_numbers_as_the_app_does(window, file, engine):
+def test_a_box_reads_the_same_numbers_as_the_app(window, file, engine):
     texts = [
         "9/8",
         "1,5",
@@ -181,7 +181,7 @@ def serving(folder: Path) -> Iterator[int]:
 
 @pytest.mark.parametrize("engine", ["chromium", "firefox"])
 def test_the_file_in_a_frame_of_another_site_makes_no_request(browsers, file, engine, tmp_path):
-    """Sandboxed, with its content security policy in force; it answers the keyboard there."""
+    """The frame is sandboxed, with the content security policy in effect; the keyboard works in it."""
     with serving(file.parent) as port:
         frame = (
             f'<iframe sandbox="allow-scripts" src="http://localhost:{port}/{file.name}#k=20" width="900" height="700">'
@@ -195,7 +195,7 @@ def test_the_file_in_a_frame_of_another_site_makes_no_request(browsers, file, en
         with serving(tmp_path) as other:
             page.goto(f"http://127.0.0.1:{other}/course.html")
             inside = page.frames[1]
-            # Playwright's own scripts may not run there, so the test looks at what is shown.
+            # The policy blocks Playwright's scripts, so the test uses only what is visible.
             normalized = inside.locator("[data-read=normalized]")
             expect(normalized).to_have_text("1.050505")
             expect(inside.locator(".st-key-k input[type=range]")).to_have_value("20")
@@ -203,7 +203,7 @@ def test_the_file_in_a_frame_of_another_site_makes_no_request(browsers, file, en
             if engine == "chromium":
                 slider.click(position={"x": 100, "y": 10})
                 page.keyboard.press("ArrowRight")
-            else:  # Playwright's mouse and keys do not reach a frame of Firefox
+            else:  # Playwright's mouse and keys do not reach a frame in Firefox
                 moved = "input.stepUp(); for (const type of ['input', 'change']) input.dispatchEvent(new Event(type))"
                 slider.evaluate(f"(input) => {{ {moved} }}")
             expect(slider).not_to_have_value("1")

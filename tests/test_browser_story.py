@@ -1,4 +1,4 @@
-"""The story of the first page: what it says and what the hands show at every second, against the numeric core."""
+"""The story of the first page: its sentences and the hands at every moment, against the numeric core."""
 
 import re
 from itertools import accumulate, pairwise
@@ -25,17 +25,17 @@ NOW = f"""() => {{
   const text = (root, selector) => root.querySelector(selector).textContent;
   const angle = (name) => /[-.\\d]+/.exec({STAGE}.querySelector(`.hand.${{name}}`).getAttribute("transform"))[0];
   return {{ periods: ramanujan.last("time/oscillator").periods, ratio: ramanujan.last("drawn/oscillator").ratio,
-    said: text({STORY}, ".sentence"), verdict: text({STAGE}, ".verdict"), parting: text({STAGE}, ".parting"),
+    sentence: text({STORY}, ".sentence"), verdict: text({STAGE}, ".verdict"), parting: text({STAGE}, ".parting"),
     degrees: angle("machine") - angle("plain") }};
 }}"""
-SAID = "In step: ε = (√1729 − 1)/36. So (36ε + 1)² = 1729."
-HEARD = "(globalThis.heard = [], bus.subscribe('announce', (news) => heard.push(news.sentence)))"
-"""Notes what the live region is given to say."""
+IN_STEP = "In step: ε = (√1729 − 1)/36. So (36ε + 1)² = 1729."
+ANNOUNCED = "(globalThis.announced = [], bus.subscribe('announce', ({ sentence }) => announced.push(sentence)))"
+"""Records the announcements of the live region."""
 MARK = "document.querySelector('.st-key-m_prime').style.getPropertyValue('--mark')"
 
 
 def ratio_at(scenes, periods: float) -> float:
-    """The mass ratio after so many periods of the plain mass."""
+    """The mass ratio after a number of periods of the plain mass."""
     ends = list(accumulate(scene.periods for scene in scenes))
     i = int(np.searchsorted(ends, periods))
     share = 1 - (ends[i] - periods) / scenes[i].periods
@@ -43,7 +43,7 @@ def ratio_at(scenes, periods: float) -> float:
 
 
 def gained(scenes, periods: float) -> float:
-    """By how many turns the machine's hand is ahead then."""
+    """The lead of the machine's hand after these periods, in turns."""
     ends = [each for each in accumulate(scene.periods for scene in scenes) if each < periods]
     rate = lambda t: float(np.sqrt(normalized_frequency_squared(ratio_at(scenes, t)))) - 1  # noqa: E731
     return sum(quad(rate, start, end, limit=200, epsabs=1e-6)[0] for start, end in pairwise([0.0, *ends, periods]))
@@ -54,7 +54,7 @@ def figure(sentence: str) -> float:
 
 
 @pytest.mark.parametrize("start", STARTS)
-def test_the_hands_meet_again_where_both_machines_are_in_step(start):
+def test_the_hands_meet_again_when_both_machines_are_in_step(start):
     scenes = story(start)
     assert [scenes[0].ratios[0], scenes[2].ratios[0], scenes[-1].ratios[-1]] == [
         start,
@@ -75,7 +75,7 @@ FRAME = 0.05 / PACE
 
 
 @pytest.fixture
-def told(bare) -> Bare:
+def started(bare) -> Bare:
     """The stage, the slider of m′ with its box, and the story, for m = 1.5 kg."""
     page = bare()
     page.sliders(m=1.5, m_prime=1, k=10, compression=8, radius=10)
@@ -86,17 +86,17 @@ def told(bare) -> Bare:
     return page
 
 
-def check_told(page) -> None:
-    """Have the story told, and compare at every moment with the core what is said, set and shown by the hands."""
+def check_story(page) -> None:
+    """Run the story, and compare its sentence, mass ratio and hands at every moment with the core."""
     scenes, seen = story(STARTS[0]), set()
     ends = [*accumulate(scene.periods for scene in scenes)]
     page.evaluate(f"{STORY}.querySelector('button').click()")
-    while (now := page.evaluate(f"() => (turn(8), ({NOW})())"))["said"] != SAID:
-        seen.add(now["said"])
+    while (now := page.evaluate(f"() => (turn(8), ({NOW})())"))["sentence"] != IN_STEP:
+        seen.add(now["sentence"])
         first, last = (min(int(np.searchsorted(ends, now["periods"] + by)), len(ends) - 1) for by in (-FRAME, FRAME))
-        assert now["said"] in [scene.sentence for scene in scenes[first : last + 1]]
+        assert now["sentence"] in [scene.sentence for scene in scenes[first : last + 1]]
         around = [ratio_at(scenes, min(now["periods"] + by * FRAME, ends[-1] - 1e-9)) for by in (-1, 0, 1)]
-        assert min(around) - 0.01 < now["ratio"] < max(around) + 0.01  # the slider has its steps
+        assert min(around) - 0.01 < now["ratio"] < max(around) + 0.01  # within a step of the slider
         ahead = gained(scenes, now["periods"])
         off = (now["degrees"] / 360 - ahead) % 1
         assert min(off, 1 - off) < 0.1
@@ -107,70 +107,70 @@ def check_told(page) -> None:
         if rate > 1e-9:
             assert figure(now["parting"].replace("\u202f", "")) == pytest.approx(1 / rate, rel=0.05, abs=0.5)
     assert seen == {scene.sentence for scene in scenes}
-    # It ends in step at once, also where the server is slow.
+    # It ends in step immediately, also with a slow server.
     now = page.evaluate(f"() => (turn(1), ({NOW})())")
-    assert (now["said"], now["ratio"]) == (SAID, pytest.approx(UNIT_MASS_RATIO, rel=1e-15))
+    assert (now["sentence"], now["ratio"]) == (IN_STEP, pytest.approx(UNIT_MASS_RATIO, rel=1e-15))
 
 
 @ANY_ENGINE
-def test_the_story_is_true_at_every_moment_and_ends_in_step(told):
-    page, evaluate = told.page, told.page.evaluate
+def test_the_story_is_true_at_every_moment_and_ends_in_step(started):
+    page, evaluate = started.page, started.page.evaluate
     assert evaluate(MARK) == "", "the answer is not printed on the slider"
     evaluate(script("turned_clock"))
-    evaluate(HEARD)
+    evaluate(ANNOUNCED)
     evaluate("setReducedMotion(false)")
-    check_told(page)
+    check_story(page)
     page.wait_for_function("sent.length > 0")
-    assert [each[-1] for each in told.sent] == [repr(GOAL)], "no message while it plays"
-    assert evaluate("heard").count(SAID) == 1
+    assert [each[-1] for each in started.sent] == [repr(GOAL)], "no message while it plays"
+    assert evaluate("announced").count(IN_STEP) == 1
     evaluate(f"bus.publish('exact/m_prime', {{ value: {GOAL!r}, text: '{GOAL!r}', judged: 1 }})")
-    told.put(lambda: stage.publish(stage.payload(Oscillator(1.5, GOAL, 10.0), 0.08), name="oscillator"))
-    assert evaluate(f"() => (turn(1), ({NOW})())")["said"] == SAID
+    started.put(lambda: stage.publish(stage.payload(Oscillator(1.5, GOAL, 10.0), 0.08), name="oscillator"))
+    assert evaluate(f"() => (turn(1), ({NOW})())")["sentence"] == IN_STEP
     assert float(evaluate(MARK)) == pytest.approx((GOAL - 0.05) / (10 - 0.05))
     assert evaluate(f"{STORY}.querySelector('button').textContent") == "Again"
     page.set_viewport_size({"width": 390, "height": 844})
-    check_told(page)
-    # Whatever is touched takes over: the slider stays where it is, and says so.
+    check_story(page)
+    # Any touch ends the story: the slider stays at its value and sends it.
     evaluate(f"{STORY}.querySelector('button').click()")
     while evaluate(f"() => (turn(8), ({NOW})())")["ratio"] > 4.5:
         pass
     page.keyboard.press("Shift")
     page.wait_for_function("sent.length === 3")
-    key, event, value = told.sent[-1]
+    key, event, value = started.sent[-1]
     assert (key, event) == ("m_prime", "slider")
     assert 2 < value / 1.5 < 4.6
-    # Whoever wants less motion while it is told is shown its end.
+    # A change of the preference to reduced motion completes the story.
     evaluate(f"{STORY}.querySelector('button').click()")
     evaluate("() => (turn(8), setReducedMotion(true))")
-    assert evaluate(f"() => (turn(8), ({NOW})())")["said"] == SAID
+    assert evaluate(f"() => (turn(8), ({NOW})())")["sentence"] == IN_STEP
     assert not evaluate(f"{STORY}.querySelector('.stills').hidden")
 
 
 LET_GO = """(at) => ["pointermove", "pointerup"].forEach((type) =>
     dispatchEvent(new PointerEvent(type, { ...at, pageX: at.clientX, pointerId: 1, pointerType: "mouse" })))"""
-"""Moves a thumb and lets it go before the page has drawn the move, as on a slow machine."""
+"""Moves a thumb and releases it before the page has drawn the move, as on a slow machine."""
 
 
-def held(page) -> tuple[float, str]:
-    """The mass ratio that is drawn, and what the box shows."""
+def ratio_and_box(page) -> tuple[float, str]:
+    """The drawn mass ratio, and the text of the box."""
     ratio = page.evaluate("ramanujan.last('drawn/oscillator').ratio")
     return ratio, page.locator(".st-key-m_prime_exact input").input_value()
 
 
-def check_found(page) -> None:
+def check_end(page) -> None:
     """Check that slider, session and address end with the exact value."""
     settle(page)
     page.wait_for_url(f"**m_prime={GOAL!r}*")
     settle(page)
     assert page.evaluate("ramanujan.last('machine/oscillator').parameters.m_prime") == GOAL
-    assert held(page) == (pytest.approx(UNIT_MASS_RATIO, rel=1e-15), repr(GOAL))
+    assert ratio_and_box(page) == (pytest.approx(UNIT_MASS_RATIO, rel=1e-15), repr(GOAL))
     assert inside(page, "root.querySelector('[data-step]').dataset.step") == "in-step"
 
 
 def check_stills(page) -> None:
-    """Check that who wants less motion sees five clocks instead of the story."""
+    """Check that with reduced motion five clocks replace the story."""
     page.get_by_role("button", name="Bring them into step", exact=True).click()
-    check_found(page)
+    check_end(page)
     angles = page.evaluate(
         f"[...{STORY}.querySelectorAll('.stills svg')].map((clock) => [...clock.querySelectorAll("
         "'line')].map((hand) => Number(/[-.\\d]+/.exec(hand.getAttribute('transform') ?? '0')[0])))"
@@ -182,8 +182,8 @@ def check_stills(page) -> None:
         assert degrees == pytest.approx(360 * turns, abs=0.1), label
 
 
-def test_a_hand_that_comes_near_finds_the_ratio_exactly(visit):
-    """By mouse within six pixels, and by a finger; keys are tried on the bare page."""
+def test_a_thumb_near_the_ratio_snaps_to_it_exactly(visit):
+    """Check the mouse within six pixels, and a finger; the next test checks keys."""
     page = visit("?m=1.5&found=on&hide=curve,steps", has_touch=True)
     assert page.evaluate(MARK) != "", "who has found it once has it marked"
     pixel = 9.95 / page.locator(".st-key-m_prime [role=group]").first.bounding_box()["width"]
@@ -194,34 +194,34 @@ def test_a_hand_that_comes_near_finds_the_ratio_exactly(visit):
     for off, near in ((-12, False), (-4, True), (4, True), (12, False)):
         page.mouse.move(goal + off, y, steps=3)
         next_frame(page)
-        assert (held(page)[1] == repr(GOAL)) == near, off
+        assert (ratio_and_box(page)[1] == repr(GOAL)) == near, off
     assert len(traffic(page).sent) == sent
     page.evaluate(LET_GO, {"clientX": goal + 3, "clientY": y})
     page.mouse.up()
-    check_found(page)
+    check_end(page)
     write(page, "m_prime", "1")
     client = page.context.new_cdp_session(page)
     for kind, at in (("Start", x), *(("Move", x + (goal - 3 - x) * n / 8) for n in range(1, 9)), ("End", None)):
         points = [] if at is None else [{"x": at, "y": y}]
         client.send("Input.dispatchTouchEvent", {"type": f"touch{kind}", "touchPoints": points})
         page.wait_for_timeout(30)
-    check_found(page)
+    check_end(page)
     write(page, "m_prime", "1")
     check_stills(page)
 
 
-def test_in_every_engine_a_key_snaps_to_what_the_page_looks_for_and_this_is_said_once(told):
-    """A key within a step of it; what the server has told is no move of a hand."""
-    evaluate = told.page.evaluate
-    evaluate(HEARD)
-    told.put(lambda: stage.publish(stage.payload(Oscillator(1.5, 1.68, 10.0), 0.08), name="oscillator"))
+def test_in_every_engine_a_key_snaps_to_the_goal_and_this_is_announced_once(started):
+    """A key snaps within a step of the goal; a value from the server does not snap."""
+    evaluate = started.page.evaluate
+    evaluate(ANNOUNCED)
+    started.put(lambda: stage.publish(stage.payload(Oscillator(1.5, 1.68, 10.0), 0.08), name="oscillator"))
     evaluate("bus.publish('exact/m_prime', { value: 1.68, text: '1.68', judged: 0 })")
     evaluate("document.querySelector('.st-key-m_prime input').value = 1.68")
     box = "document.querySelector('.st-key-m_prime_exact [data-testid]').shadowRoot.querySelector('input').value"
     evaluate("document.querySelector('.st-key-m_prime input').focus()")
     for key, value in (("Right", repr(GOAL)), ("Right", "1.7"), ("Left", repr(GOAL))):
-        told.page.keyboard.press(f"Arrow{key}")
-        next_frame(told.page)
+        started.page.keyboard.press(f"Arrow{key}")
+        next_frame(started.page)
         assert evaluate(box) == value
-    told.page.wait_for_function(f"sent.at(-1)?.at(-1) === '{GOAL!r}'")
-    assert evaluate("heard").count(SAID) == 1
+    started.page.wait_for_function(f"sent.at(-1)?.at(-1) === '{GOAL!r}'")
+    assert evaluate("announced").count(IN_STEP) == 1

@@ -1,4 +1,4 @@
-"""Page 4 in a browser: figures have words, a click builds a machine with its own frequency, the phone fits."""
+"""Page 4 in a browser: text alternatives of figures, a click that builds a machine, the layout on a phone."""
 
 import re
 
@@ -12,7 +12,7 @@ def shown(page: object) -> object:
     return page.locator(".st-key-stage_bodies [data-read=normalized]")
 
 
-def test_figures_have_words_and_a_click_builds_a_machine(visit: object) -> None:
+def test_figures_have_text_alternatives_and_a_click_builds_a_machine(visit: object) -> None:
     page = visit("1729?digits=1000")
     page.wait_for_selector(".st-key-counts .js-plotly-plot", timeout=60_000)
     settle(page)
@@ -20,12 +20,12 @@ def test_figures_have_words_and_a_click_builds_a_machine(visit: object) -> None:
     assert len(labels) == 3
     assert all(label and any(map(str.isdigit, label)) for label in labels)
     assert page.locator(".st-key-cubes svg").count() == 2
-    # A box of a thousand digits that scrolls by itself would be out of the keyboard's reach.
+    # A box of a thousand digits must be scrollable by keyboard.
     page.evaluate(OPEN)
     digits = page.locator(".stCode pre")
     digits.wait_for()
     assert digits.evaluate("(box) => box.scrollHeight <= box.clientHeight + 1")
-    # A click on a machine builds it; that its own ratio brings it into step is for test_scene_taxicab.
+    # A click on a machine builds it; test_scene_taxicab checks that its ratio brings it into step.
     expect(shown(page)).to_have_text(re.compile(r"\d"))
     paper = shown(page).inner_text()
     number = page.locator(".st-key-machines text", has_text="5896").first
@@ -36,7 +36,7 @@ def test_figures_have_words_and_a_click_builds_a_machine(visit: object) -> None:
     settle(page)
     assert "right=shell" in page.url
     assert page.get_by_text("hoop and shell; on top: sphere", exact=False).count() == 1
-    # The picture names its bodies, and the slab is a slider of its own.
+    # The picture's text alternative names its bodies, and the slab is a slider.
     stage = page.locator(".st-key-stage_bodies")
     named = stage.locator("svg.machine [role=img]").get_attribute("aria-label")
     assert "a hoop on the left and a spherical shell on the right" in named

@@ -1,4 +1,4 @@
-"""A page that the browser has translated: what it shows after a change is what an untranslated page shows."""
+"""A page translated by the browser: after a change it shows the same text as an untranslated page."""
 
 import re
 
@@ -40,7 +40,7 @@ def change(page: Page) -> None:
 
 
 @pytest.mark.parametrize("name", PAGES)
-def test_a_translated_page_shows_what_an_untranslated_one_shows(visit, name):
+def test_a_translated_page_shows_the_same_as_an_untranslated_one(visit, name):
     shown = []
     for is_translated in (False, True):
         page = visit(PAGES[name].address, figures=False)

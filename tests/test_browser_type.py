@@ -1,4 +1,4 @@
-"""How letters are set: the page's font makes one that stands alone a symbol."""
+"""Typesetting: the page's font draws a single letter as a symbol."""
 
 import io
 from base64 import b64encode
@@ -42,7 +42,7 @@ UPRIGHT = (
 FONT = ROOT / "ramanujan/browser/components/fonts/text.woff2"
 LINES_OF = """<!doctype html><style>@font-face {{ font-family: cut; src: url(data:font/woff2;base64,{font}) }}
 body {{ margin: 0 }} p {{ margin: 0; font: 24px/40px cut; font-variant-ligatures: {ligatures} }}</style>{lines}"""
-"""Texts in the page's font, each on a line of 40 px, with or without what the font changes by itself."""
+"""Texts in the page's font, each on a line of 40 px, with or without contextual alternates."""
 INK = """(letters) => letters.map((text) => {
   const brush = document.createElement("canvas").getContext("2d");
   brush.font = '40px cut';
@@ -50,7 +50,7 @@ INK = """(letters) => letters.map((text) => {
 })"""
 
 
-def test_a_letter_that_stands_alone_is_set_as_a_symbol(chromium):
+def test_a_single_letter_is_drawn_as_a_symbol(chromium):
     font, texts, pictures = b64encode(FONT.read_bytes()).decode(), [*SYMBOLS, *UPRIGHT], []
     with chromium.new_page(viewport={"width": 400, "height": 40 * len(texts)}) as page:
         for ligatures in ("normal", "none"):
@@ -66,7 +66,7 @@ def test_a_letter_that_stands_alone_is_set_as_a_symbol(chromium):
 
 
 @pytest.mark.parametrize("name", fonts.FONTS)
-def test_symbols_are_letters_of_katex_as_large_as_a_formula(name):
+def test_symbols_are_letters_of_katex_in_the_size_of_a_formula(name):
     cut, bold = TTFont(FONT.with_name(f"{name}.woff2")), fonts.FONTS[name][1]
     katex = fonts.original_of(f"KaTeX_Math-{bold}Italic")
     for letter in "mkR":

@@ -1,4 +1,4 @@
-"""A lecturer's view in the browser: what is hidden is nowhere, a projector shows large words and nothing to scroll."""
+"""A lecturer's view in the browser: links that preserve the view, and the projector."""
 
 import re
 
@@ -10,8 +10,8 @@ from tests.test_browser_language import OVERLAPS
 from tests.test_worksheet import key_of, name_of
 
 
-def test_a_link_keeps_all_that_is_seen(visit):
-    """Layers, speed, viewpoint, and where it was paused, both clock hands included: another tab draws the same."""
+def test_a_link_preserves_the_view(visit):
+    """Check layers, speed, frame, and the moment of a pause with both clock hands, in another tab."""
     drawn = f"""() => {{
       const root = {STAGE};
       const all = (selector, read) => [...root.querySelectorAll(selector)].map(read);
@@ -30,7 +30,7 @@ def test_a_link_keeps_all_that_is_seen(visit):
     page.get_by_role("combobox", name="Speed").select_option("½×")
     for _ in range(31):
         page.get_by_role("button", name="Step forward").click()
-    # A machine that changes while it is paused lets both hands start anew.
+    # A change of a paused machine restarts both hands.
     page.locator(".st-key-k input[type=range]").press("ArrowRight")
     settle(page)
     for _ in range(2):
@@ -43,7 +43,7 @@ def test_a_link_keeps_all_that_is_seen(visit):
     assert len(again) == len(seen) > 100
     for before, after in zip(seen, again, strict=True):
         assert after == (pytest.approx(before, abs=1e-3) if isinstance(before, float | int) else before)
-    # Who plays on is no longer paused.
+    # Playing removes the pause from the link.
     other.get_by_role("button", name="Play", exact=True).click()
     other.wait_for_url(lambda url: "paused" not in url)
     assert "from=block" in other.url
@@ -53,26 +53,26 @@ def test_a_link_keeps_all_that_is_seen(visit):
 # ---- on a projector
 
 SIZES = script("small_words")
-"""The words of the present slide that are smaller than this.
+"""The texts of the present slide that are smaller than the argument.
 
 An index is smaller by nature, a name by its body, and an operation by the line that it leads to.
 """
 SENTENCES = script("small_sentences")
-"""The sentences of the present slide that are small although the slide has room."""
-LAID = script("slide_size")
-"""How the slides are laid out: how many are seen, what is cut, how much of its height the slide fills."""
+"""The small sentences of the present slide, if the slide has room."""
+LAYOUT = script("slide_size")
+"""The number of visible slides, their overflow, and the used share of the slide's height."""
 OUT = script("cut_figures")
-"""The words of figures that are cut."""
+"""The cut texts of figures."""
 BAR = """() => {
   const pager = document.querySelector('.st-key-pager').getBoundingClientRect();
   return [...document.querySelectorAll('header a, header button')].map((node) => node.getBoundingClientRect())
     .filter((box) => box.width && box.right > pager.left && box.left < pager.right && box.bottom > pager.top).length;
 }"""
-"""How many names of pages the pager covers."""
+"""The number of names of pages that the pager covers."""
 PLACE = ".st-key-pager select option:checked"
 HEIGHTS = "[...document.querySelectorAll('.js-plotly-plot')].map((figure) => figure.clientHeight / innerHeight)"
 SEEN = script("visible_slides")
-"""Collects, frame by frame, which slides have been seen, and whether the words were large then."""
+"""Records in every frame the visible slides, and whether their letters are large."""
 DRAWN = """!document.querySelector("[data-testid=stSkeleton]")
     && [...document.querySelectorAll(".stPlotlyChart")].every((chart) => chart.querySelector(".main-svg"))"""
 FIRST, MOTION = "?m=3.7&m_prime=0.41&k=33.3&radius=20&slide=step_1", "motion?spin=3&mu=0.01"
@@ -86,7 +86,7 @@ SLIDES = {
     "lesson?stop=end": 3,
     f"worksheet?seed={name_of(1)}&paper=key&key={key_of(1)}": 11,
 }
-"""Page → how many slides it has."""
+"""Page → number of its slides."""
 
 
 def projected(visit, path: str, *scripts: str, **more):
@@ -100,7 +100,7 @@ def projected(visit, path: str, *scripts: str, **more):
 @pytest.mark.parametrize("half", [0, 1])
 def test_a_projector_shows_one_slide_at_a_time_large_filled_and_without_scrolling(visit, half):
     page = None
-    # The switch, which opens the sidebar, comes last.
+    # The switch is tested last, because it opens the sidebar.
     for path in sorted(list(SLIDES)[half::2], key=MOTION.__eq__):
         if path == MOTION:
             page = visit(path, tab=page, width=1920, height=1080)
@@ -108,7 +108,7 @@ def test_a_projector_shows_one_slide_at_a_time_large_filled_and_without_scrollin
             page.set_viewport_size({"width": 1280, "height": 720})
         else:
             page = projected(visit, path, *([] if page else [SEEN]), tab=page)
-            check_asked(page, path)
+            check_loading(page, path)
         if path == FIRST:
             check_address(page)
         check_slides(page, SLIDES[path])
@@ -122,7 +122,7 @@ def test_a_projector_shows_one_slide_at_a_time_large_filled_and_without_scrollin
 
 @pytest.mark.parametrize("path", ["lesson?stop=zero-modes&chosen=zero-modes.one", "1729?left=sphere&top=shell"])
 def test_sentences_on_a_slide_with_room_are_large(visit, path):
-    """The last row reads letters of 3.5 % of the height."""
+    """Letters of 3.5 % of the height are readable in the last row."""
     page = projected(visit, path)
     small = []
     for width, height in ((1024, 768), (1280, 800)):
@@ -134,8 +134,8 @@ def test_sentences_on_a_slide_with_room_are_large(visit, path):
     assert small == []
 
 
-def check_asked(page, path: str) -> None:
-    """Check that while a page was loaded, the slide that was asked for was seen in large words, and no other."""
+def check_loading(page, path: str) -> None:
+    """Check that during loading only the requested slide was visible, with large letters."""
     (seen,) = page.evaluate("[...window.seen]")
     assert seen.endswith(" true")
     assert ("slide=" not in path) or seen == f"{path.partition('slide=')[2]} true"
@@ -150,12 +150,12 @@ def check_slides(page, count: int) -> None:
     wrong = []
     for slide, title in enumerate(titles, start=1):
         expect(page.locator(PLACE)).to_have_text(title)
-        # A figure that has come into view may be drawn once more.
+        # A figure that becomes visible may be redrawn.
         for _ in range(10):
             if not (on_one_another := page.evaluate(OVERLAPS)):
                 break
             page.wait_for_timeout(300)
-        laid = page.evaluate(LAID)
+        laid = page.evaluate(LAYOUT)
         fits = laid["visible"] == 1 and max(laid["over"], laid["wide"]) <= 2 and laid["filled"] > 1 / 3
         wrong += [(title, each) for each in on_one_another + page.evaluate(SIZES, 23.9) + page.evaluate(OUT)]
         wrong += [] if fits else [(title, laid)]
@@ -172,9 +172,9 @@ def check_slides(page, count: int) -> None:
 
 
 def check_address(page) -> None:
-    """Check that the slide is in the address, and that figures are large."""
+    """Check that the address contains the slide, and that figures are large."""
     expect(page.locator(PLACE)).to_have_text(re.compile(r"\b1\. "))
-    # While Streamlit draws a page, another slide may be there before the one that was asked for.
+    # While Streamlit draws a page, another slide may appear before the requested one.
     page.evaluate("""async () => {
       const slide = document.querySelector(".st-key-slide-step_1"), { parentElement } = slide;
       slide.remove();
@@ -208,7 +208,7 @@ def check_clicker(page) -> None:
     at("2 / 2", 1)
     page.keyboard.press("PageDown")
     at("1 / ", 2)
-    # The machine stands to the left of what is asked.
+    # The machine is to the left of the question.
     assert page.locator("[data-away]").count() == 0
     words, machine = (page.locator(place).first.bounding_box() for place in (".st-key-options button", "svg.machine"))
     assert machine["x"] + machine["width"] <= words["x"]
@@ -219,7 +219,7 @@ def check_clicker(page) -> None:
 
 def check_switched_on(page) -> None:
     """Check that the switch puts the view into the address."""
-    # Negative control: without a projector words and figures are smaller, and the page is one.
+    # Negative control: without a projector, letters and figures are smaller, and the page is not divided.
     assert page.evaluate(SIZES, 23.9)
     page.wait_for_function(f"Math.max(...{HEIGHTS}) < 0.6")
     assert page.locator(PLACE).count() == 0

@@ -1,4 +1,4 @@
-"""What goes over the wire, without a browser: few bytes, and nothing that a page forgets and needs again."""
+"""The messages between server and page, without a browser: their size and their cache."""
 
 import asyncio
 import random
@@ -14,7 +14,7 @@ PAGES = tuple(page.address for page in navigation.PAGES.values())
 
 
 @pytest.mark.parametrize("page", [*PAGES, *(f"motion?figure={figure}" for figure in VIEWS)])
-def test_a_page_keeps_no_message_that_changes_and_forgets_none(server: str, page: str) -> None:
+def test_a_page_caches_no_message_that_changes_and_drops_no_message_in_use(server: str, page: str) -> None:
     """The cause: what a page forgets between its question and the answer can no longer be answered by its name.
 
     Wherever a slider is moved to, the motion page's figures come in 60 kB, even where the whole page is drawn anew.
@@ -33,6 +33,6 @@ def test_a_page_keeps_no_message_that_changes_and_forgets_none(server: str, page
         assert visitor.max_age > 10**9
         await visitor.close()
 
-    # In a thread of its own: the browser of other tests keeps an event loop in this one.
+    # In another thread, because the browser of other tests has an event loop in this one.
     with ThreadPoolExecutor(1) as thread:
         thread.submit(asyncio.run, visit()).result()
