@@ -1,8 +1,8 @@
 """A tour of the pages, each opened once: everyone can use and read it, in both themes, wide, narrow, and on paper.
 
-axe-core finds nothing, headings skip no level, and the focus can be seen. Words are set well: the page's own typeface
-in its figures, short lines, no lone full stop, labels inside figures. The server's policy holds, as for every visitor,
-and allows all of this.
+axe-core reports no violation, headings skip no level, and the focus is visible. Typesetting: the page's typeface in its
+figures, short lines, no line that begins with a full stop, labels inside figures. The server's content security policy
+is in effect and allows all of this.
 """
 
 import re

@@ -1,7 +1,7 @@
 """A class in browsers: a desk on a phone, two walls, a voter, the short lesson, and the file of the votes.
 
-Other students vote without a browser: what their phones show is in test_scene_classroom. Every fourth stop of the whole
-lesson is looked at on the wall, or all of them where RAMANUJAN_DEEP is set.
+Other students vote without a browser; test_scene_classroom checks their phones. Every fourth stop of the whole lesson
+is checked on the wall, or all of them if RAMANUJAN_DEEP is set.
 """
 
 import csv

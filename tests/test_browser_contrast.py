@@ -1,6 +1,6 @@
 """The app in forced colours, a system's contrast theme: every control is seen in each state, every formula is legible.
 
-Pixels are compared: the system's colours replace those of the style sheets, and backgrounds and shadows are not drawn.
+The tests compare pixels. The system's colours replace those of the style sheets; backgrounds and shadows are not drawn.
 """
 
 import io

@@ -242,7 +242,7 @@ def check_second_click(page) -> None:
 def check_first_screen(page) -> None:
     """Check that the stage and its controls fit on the first screen, and that nothing is cut in half a window.
 
-    That no name of the curve lies on another one is for test_browser_grid.
+    test_browser_grid checks that no labels of the curve overlap.
     """
     for width, height in ((900, 1080), (1280, 720), (1920, 1080)):
         page.set_viewport_size({"width": width, "height": height})

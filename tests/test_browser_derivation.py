@@ -218,7 +218,7 @@ INKS = """[...new Set([...document.querySelectorAll('.st-key-lecture .katex-html
 def walk(page, route: str, check=lambda: None) -> None:
     """Turn all steps of a route, and check each: its heading where the first one is, its first equation in sight.
 
-    The machine stands beside the step, and covers no formula.
+    The machine is beside the step, and covers no formula.
     """
     places = set()
     for number in range(1, len(ROUTES[route].steps) + 1):

@@ -49,7 +49,7 @@ def fresh(tmp_path_factory: pytest.TempPathFactory) -> Iterator[str]:
 def test_aborted_requests_do_not_damage_the_files_of_other_visitors(fresh, chromium):
     """Compare all answers with the files after 600 aborted connections and five closed pages.
 
-    A copy made from an aborted answer was once kept for everybody, empty or cut.
+    Once, an incomplete copy from an aborted response was cached for all visitors.
     """
     address = fresh
     parts, chance = urlsplit(address), random.Random(1729)

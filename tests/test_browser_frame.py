@@ -1,7 +1,7 @@
 """A class in a frame of another site, such as a course page: a pupil has one seat, and the answer is stored.
 
-Browsers send no cookie of the app to such a frame. Playwright's browsers are started here once more where storage for
-other sites is refused: Firefox by a preference, Chromium as Debian builds it.
+Browsers send no cookie of the app to such a frame. The tests also start browsers that deny storage to other sites:
+Firefox with a preference, and Debian's Chromium.
 """
 
 import shutil

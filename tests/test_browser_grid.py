@@ -1,6 +1,6 @@
 """Every page at every width: no words overlap, nothing jumps, and the number of controls is small.
 
-The tour of test_browser_access opens each page in a window of a laptop, and looks there and at all widths.
+test_browser_access opens each page in a laptop's window, and calls these checks at all widths.
 """
 
 import pytest

@@ -1,7 +1,7 @@
 """Eight journeys through the whole app in Firefox and in WebKit, each in a fresh window.
 
-They use what both have in common: a page that evaluates, a mouse, a keyboard. Chromium goes further on the same ways,
-in the files for each page.
+They use the common features of both drivers: evaluation of JavaScript, a mouse, a keyboard. Chromium is tested further
+in the files of the pages.
 """
 
 import re

@@ -1,6 +1,6 @@
 """The app in its pseudo-language: every text is translated, and longer words are neither cut nor covered.
 
-They fit a narrow phone, too, where nothing scrolls sideways.
+They also fit a narrow phone, on which nothing scrolls sideways.
 """
 
 import re

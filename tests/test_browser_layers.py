@@ -21,20 +21,20 @@ TIMES = (-0.3, 0.0, 0.22, 0.6, 2.85)
 GRAVITY = 9.81
 
 Pairs = dict[str, tuple[float, float]]
-"""Name of a mark → its signed length [px] as drawn, and as the core has it."""
+"""Name of a mark → its signed length [px] in the picture, and by the core."""
 
 
 def arrows(
     layer: str, unit: str, values: Callable[[Picture], dict], size: Callable = length
 ) -> Callable[[Picture, dict], Pairs]:
-    """Return the comparison for a layer of arrows that have a reference arrow.
+    """Return the comparison for a layer of arrows with a scale arrow.
 
     Parameters
     ----------
     layer : id of the layer
-    unit : of the reference arrow
-    values : returns mark → value of the core, in this unit, positive to the right or upwards
-    size : `length` of arrows along the floor, `upwards` of upright ones
+    unit : unit of the scale arrow
+    values : function that returns mark → value of the core in this unit, positive to the right or upwards
+    size : `length` for horizontal arrows, `upwards` for vertical ones
     """
 
     def compare(picture: Picture, drawn: dict) -> Pairs:
@@ -83,7 +83,7 @@ def bars(picture: Picture, drawn: dict) -> Pairs:
 
 
 def traces(picture: Picture, drawn: dict) -> Pairs:
-    """Return where the mark on each rim was at some times of a period, from its roller's centre at q = 0."""
+    """Return the path of the mark on each rim, relative to its roller's centre at q = 0."""
     R, pairs = picture.machine.radius, {}
     moved_now = ground_positions(picture.machine, picture.q)
     for name in ROLLERS:
@@ -132,7 +132,7 @@ MARKS: dict[str, Callable[[Picture, dict], Pairs]] = {
 
 
 def wrong(pairs: Pairs, factor: float = 1.0) -> list[str]:
-    """Return the marks that are wrong by more than a pixel, if all were drawn `factor` times as long."""
+    """Return the marks with an error above a pixel, after a multiplication of all lengths by `factor`."""
     return [name for name, (drawn, expected) in pairs.items() if abs(factor * drawn - expected) > PIXEL]
 
 

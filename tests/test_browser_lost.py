@@ -17,7 +17,7 @@ from ramanujan.lesson.classes import shared
 from ramanujan.shell import navigation
 from tests.browser import inside, next_frame, press_preset, settle, thumb, traffic
 from tests.slow_network import Network
-from tests.test_browser_class import ASK_WHEN_TOLD
+from tests.test_browser_class import RERUN_ON_DEMAND
 from tests.test_browser_controls import hold, normalized
 
 CHANGES = int(os.environ.get("RAMANUJAN_CHANGES", "1"))
@@ -362,13 +362,13 @@ def test_a_wall_whose_reruns_have_stopped_reloads_itself(visit):
 
 
 def test_a_wall_shows_its_question_and_a_small_notice_while_the_server_is_away(late, visit):
-    desk = visit("lesson", ASK_WHEN_TOLD)
+    desk = visit("lesson", RERUN_ON_DEMAND)
     desk.locator(".st-key-class_door button").first.click()
     desk.locator(".st-key-class_open button").click()
     link = desk.get_by_role("link", name="Open the wall").get_attribute("href")
     desk.locator(".st-key-class_ask button").click()
     settle(desk)
-    wall = late(f"lesson?{link.partition('?')[2]}", ASK_WHEN_TOLD)
+    wall = late(f"lesson?{link.partition('?')[2]}", RERUN_ON_DEMAND)
     question, notice = wall.locator(".st-key-wall_asked h1"), wall.locator(".away")
     question.wait_for()
     assert not notice.is_visible()

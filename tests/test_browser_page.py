@@ -23,9 +23,9 @@ REGION = ".st-key-services [role=status]"
 FIRST = script("first_frame")
 """Records, at the stage's first frame, the stage's place and the number of slow elements on the page.
 
-Notes as well, in every frame, where the heading over the curve is.
+It also records the position of the heading above the curve in every frame.
 
-The page asks for the rest when the machine is drawn, and not because ten seconds have passed.
+The page requests its second run after drawing the machine, not because of the timer of ten seconds.
 """
 
 

@@ -1,6 +1,6 @@
 """The drawn picture: bodies, hands, bars and arrows in the browser, against the numeric core.
 
-RAMANUJAN_MACHINES sets how many machines from anywhere on the sliders are drawn besides those at the corners.
+RAMANUJAN_MACHINES is the number of random machines, in addition to those at the limits of the sliders.
 """
 
 import math
@@ -526,7 +526,7 @@ def test_the_speed_menu_changes_the_speed(picture):
       let last = null, elapsed = 0, from = 0;
       const look = (now) => {
         const { phase } = ramanujan.last("time/oscillator");
-        // A frame that comes late counts as a tenth of a second: the page does not catch up.
+        // The page does not catch up: a late frame counts as at most a tenth of a second.
         if (last === null) from = phase;
         else elapsed += Math.min((now - last) / 1000, 0.1);
         last = now;

@@ -90,7 +90,7 @@ SHEETS = {"oscillator": 6, "derivation": 11, "motion": 3, "taxicab": 6, "speed":
 def check_printed(page, most: int) -> None:
     """Check the number of sheets of a page, in the dark theme and with its six steps open if it has them.
 
-    Nothing is cut, nothing is dark, no sheet is empty, and a step stands on one sheet with its equations.
+    Nothing is cut or dark, no sheet is empty, and each step is on one sheet with its equations.
     """
     pdf = list(printed(page, "A4"))
     sheets = [words(each) for each in pdf]

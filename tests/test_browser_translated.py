@@ -8,7 +8,7 @@ from playwright.sync_api import Page, expect
 from ramanujan import Oscillator, lesson
 from ramanujan.shell.navigation import PAGES
 from tests.browser import script, settle
-from tests.test_browser_class import ASK_WHEN_TOLD, VOTES, hear
+from tests.test_browser_class import RERUN_ON_DEMAND, VOTES, rerun
 
 TRANSLATE = script("translate")
 WORDS = """() => [...document.querySelectorAll("main, .stSidebar")].map((part) => part.innerText).join(" ")
@@ -71,7 +71,7 @@ def test_your_machine_shows_the_numbers_of_the_core(visit):
 
 def test_a_translated_class_shows_the_present_question(visit):
     def screen(query: str, **options: object) -> Page:
-        page = visit(f"lesson?{query}", ASK_WHEN_TOLD, **options)
+        page = visit(f"lesson?{query}", RERUN_ON_DEMAND, **options)
         page.evaluate(TRANSLATE)
         return page
 
@@ -88,9 +88,9 @@ def test_a_translated_class_shows_the_present_question(visit):
             desk.locator(".st-key-class_moves [data-testid=stBaseButton-primary]").click()
             settle(desk)
             for page in (phone, wall):
-                hear(page)
+                rerun(page)
                 settle(page)
-                hear(page)
+                rerun(page)
                 expect(page.locator("h1")).to_have_text(stop.heading.upper())
             if phase == 0:
                 phone.locator(VOTES).nth(1).click()

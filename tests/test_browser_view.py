@@ -55,7 +55,7 @@ def test_a_link_preserves_the_view(visit):
 SIZES = script("small_words")
 """The texts of the present slide that are smaller than the argument.
 
-An index is smaller by nature, a name by its body, and an operation by the line that it leads to.
+Indices, names on bodies, and operations beside lines may be smaller.
 """
 SENTENCES = script("small_sentences")
 """The small sentences of the present slide, if the slide has room."""
