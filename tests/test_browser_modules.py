@@ -175,7 +175,7 @@ def test_stages_on_one_clock_run_together_and_the_clock_ends_with_the_last_one(p
         await frames(2);
         const rested = ticks[0].length;
         await frames(3);
-        const stops = ticks[0].length === rested;
+        const isIdle = ticks[0].length === rested;
         it.wake();
         await frames(3);
         const woken = ticks[0].length - rested;
@@ -193,7 +193,7 @@ def test_stages_on_one_clock_run_together_and_the_clock_ends_with_the_last_one(p
         await frames(3);
         const fresh = it.joinClock("c", stage(0, 1), false, AbortSignal.abort());
         return { shared, slowing, each, alone, quick, ended: ticks[1].length === last, another: fresh !== clocks[0],
-          together, stops, woken,
+          together, isIdle, woken,
           least: Math.min(...ticks.flat()), most: Math.max(...ticks.flat()) };
         """,
     )
@@ -205,7 +205,7 @@ def test_stages_on_one_clock_run_together_and_the_clock_ends_with_the_last_one(p
     assert result["alone"][0] == 0 < result["alone"][1]
     # The loop runs for both while one moves, stops when neither does, and runs one frame after `wake`.
     assert result["together"]
-    assert result["stops"]
+    assert result["isIdle"]
     assert result["woken"] == 1
     assert result["ended"]
     assert result["another"]
