@@ -212,19 +212,19 @@ HOSTILE = [
 
 
 @pytest.mark.parametrize(("name", "text"), [(name, text) for name, texts in RIGHT.items() for text in texts])
-def test_right_in_many_spellings(name, text):
+def test_right_answer_is_accepted_in_many_spellings(name, text):
     assert judge(name, text).kind == "right"
 
 
 @pytest.mark.parametrize(("name", "text", "said"), UNSIMPLIFIED)
-def test_right_but_unsimplified(name, text, said):
+def test_unsimplified_answer_is_recognized(name, text, said):
     verdict = judge(name, text)
     assert verdict.kind == "unsimplified"
     assert said in verdict.message
 
 
 @pytest.mark.parametrize(("name", "text", "said"), WRONG)
-def test_names_the_mistake(name, text, said):
+def test_wrong_answer_names_the_mistake(name, text, said):
     verdict = judge(name, text)
     assert verdict.kind == "wrong"
     assert said in verdict.message
@@ -276,12 +276,12 @@ def test_an_unknown_question_is_refused(name):
 
 
 @pytest.mark.parametrize("text", [None, 3, b"m", ["m"], object(), float("nan"), "v", "ω²", "I/m"])
-def test_what_is_no_text_or_has_letters_without_use_is_unreadable(text):
+def test_non_text_and_unused_letters_are_unreadable(text):
     assert judge(OMEGA, text).kind == "unreadable"
 
 
 @pytest.mark.parametrize("name", QUESTIONS)
-def test_a_question_takes_the_letters_that_it_lists_and_names_them_to_who_types_another(name):
+def test_question_accepts_only_its_listed_letters_and_names_them(name):
     listed = question(name).accepted
     for letter in (*listed, *TEXTBOOK):
         assert (judge(name, letter).kind == "unreadable") == (letter not in listed)
@@ -331,7 +331,7 @@ def test_a_tiny_addition_is_not_overlooked(name, size, root):
 @pytest.mark.parametrize(
     "altered", machines.altered_machines()[::7], ids=lambda each: f"{each.mistake.id} {each.group}"
 )
-def test_what_an_altered_machine_gives_by_the_route_of_the_page_is_known(altered):
+def test_altered_machines_match_the_route_of_the_page(altered):
     """SymPy solves the equations of motion of the altered machine; the judge has them solved in numbers."""
     yours = eliminate(altered.machine)
     for name, formula in (
@@ -428,11 +428,11 @@ def gets_its_hint(id: str) -> bool:
 
 
 @pytest.mark.parametrize("id", [*mistakes.HINTS, *(each.id for each in machines.MISTAKES)])
-def test_every_hint_is_true_of_its_example(id):
+def test_every_example_gets_its_hint(id):
     assert gets_its_hint(id)
 
 
-def test_a_false_hint_would_be_found(monkeypatch):
+def test_negative_control_false_hints_fail(monkeypatch):
     """Negative control: a result that the hint does not have, and a hint in other words."""
     with monkeypatch.context() as patched:
         false = mistakes.Slip("plain_mass", mistakes.HINTS["plain_mass"], "k/m", (k / (3 * m),))
@@ -443,7 +443,7 @@ def test_a_false_hint_would_be_found(monkeypatch):
     assert not gets_its_hint("plain_mass")
 
 
-def test_mistakes_about_bodies_change_something_and_have_a_sentence_and_a_question():
+def test_mistakes_about_bodies_change_the_machine_and_end_in_a_question():
     assert len({each.id for each in machines.MISTAKES}) == len(machines.MISTAKES)
     for each in machines.altered_machines():
         assert each.machine != machines.right_machine()
@@ -451,7 +451,7 @@ def test_mistakes_about_bodies_change_something_and_have_a_sentence_and_a_questi
 
 
 @pytest.mark.parametrize("name", QUESTIONS)
-def test_a_hint_names_the_only_mistake_that_gives_a_result(name):
+def test_each_result_has_one_mistake(name):
     """Of two slips nobody knows which it was; of two mistakes about bodies neither is named."""
     it = question(name)
     for known in (it.slips, it.altered):
@@ -517,7 +517,7 @@ _WELL_FORMED = st.recursive(
 
 @settings(deadline=None, max_examples=EXAMPLES)
 @given(st.sampled_from(QUESTIONS), st.lists(st.sampled_from(_PIECES), max_size=30).map("".join) | st.text(max_size=40))
-def test_any_heap_of_pieces_gets_a_verdict(name, text):
+def test_random_tokens_get_a_verdict(name, text):
     _judged(name, text)
 
 

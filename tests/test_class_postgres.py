@@ -98,7 +98,7 @@ def test_two_processes_share_a_class_and_a_server_that_dies_loses_no_vote(server
         in_a_file.test_first_and_second_vote_are_compared_student_by_student,
         in_a_file.test_an_answer_is_changed_until_the_reveal_and_a_late_one_is_refused_with_its_reason,
         in_a_file.test_a_browser_is_one_voter_in_each_class_and_another_in_every_other,
-        in_a_file.test_present_is_who_was_heard_of_lately,
+        in_a_file.test_students_with_a_recent_request_count_as_present,
         in_a_file.test_a_stop_that_is_asked_again_later_begins_a_new_vote_and_keeps_the_old_ones,
         in_a_file.test_only_the_key_opens_the_lecturers_desk,
     ],

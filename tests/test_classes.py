@@ -1,4 +1,4 @@
-"""The class's votes: none is lost, none is seen too early, and nobody opens what is not theirs."""
+"""The votes of a class: none is lost, none is visible too early, and every access needs its key."""
 
 import multiprocessing
 import os
@@ -40,7 +40,7 @@ NEW_PROCESS.set_forkserver_preload(["tests.test_classes"])  # what all of them i
 
 
 class Clock:
-    """A clock that stands still until it is told to go on."""
+    """A clock that advances only on demand."""
 
     now = 1_729_000_000.0
 
@@ -60,7 +60,7 @@ def school(tmp_path: Path, clock: Clock) -> classes.Classes:
 
 @pytest.fixture
 def opened(school: classes.Classes) -> classes.Class:
-    """A class that is asked who is faster."""
+    """A class with the question “faster”."""
     opened = school.open_class()
     school.ask(opened.key, "faster", OPTIONS)
     return opened
@@ -151,7 +151,7 @@ def test_two_hundred_students_in_several_processes_lose_no_vote_though_one_proce
     assert school.distribution(opened.code, "faster") == {o: Counter(told.values())[o] for o in OPTIONS}
 
 
-def test_whoever_waits_too_long_gets_a_sentence(school, opened, monkeypatch):
+def test_timeout_raises_a_sentence(school, opened, monkeypatch):
     monkeypatch.setattr(class_store, "PATIENCE", 0.0)
     seat = school.join(opened.code)
     busy = classes.Classes(school._store.path, school._clock)
@@ -287,13 +287,13 @@ def test_a_code_is_read_however_it_was_typed_and_no_two_letters_look_alike(schoo
 
 
 @pytest.mark.parametrize("text", ["", "A" * 10_000, "'; DROP TABLE class;--", "ⒷⒸⒹⒻⒽⒿ", "bcd fgh"])
-def test_what_cannot_be_a_code_gets_a_sentence(school, text):
+def test_invalid_code_raises_a_sentence(school, text):
     assert read_code(text) is None
     with pytest.raises(ClassError, match=r"has six letters|contains [AG]"):
         school.join(text)
 
 
-def test_an_answer_that_counts_may_be_said_again_after_the_result_is_shown(school, opened):
+def test_repeating_a_counted_answer_after_the_reveal_is_accepted(school, opened):
     """As a browser does that has lost its connection meanwhile; another answer still comes too late."""
     seat, other = school.join(opened.code), school.join(opened.code)
     school.vote(seat, "faster", "plain", FIRST)
@@ -307,7 +307,7 @@ def test_an_answer_that_counts_may_be_said_again_after_the_result_is_shown(schoo
             school.vote(Seat(opened.code, voter), "faster", option, FIRST)
 
 
-def test_no_wrong_code_keeps_a_right_one_out(school, opened):
+def test_right_code_works_after_many_wrong_ones(school, opened):
     for number in range(300):
         with pytest.raises(ClassError, match="no class with this code"):
             school.join(no_such_code(opened.code), f"guesser {number}", "10.0.0.7")
@@ -330,7 +330,7 @@ def test_a_network_gets_seats_as_fast_as_a_lecture_hall_takes_them(school, opene
     for number in range(500):
         with pytest.raises(CrowdError, match="joins by itself"):
             school.join(opened.code, f"script {number}", addresses[number % len(addresses)])
-    # Who has a seat keeps it, and nobody else has to wait.
+    # A student with a seat stays, and other students need not wait.
     assert school.join(opened.code, "phone 0", addresses[0]).voter == "phone 0"
     school.join(opened.code, "another", elsewhere)
     seats = school.seats(opened.key)
@@ -346,7 +346,7 @@ def test_a_network_gets_seats_as_fast_as_a_lecture_hall_takes_them(school, opene
     assert kept.fetchone() == (1,)
 
 
-def test_the_lecturer_closes_the_door_and_removes_the_empty_seats_with_their_answers(school, opened, clock):
+def test_lecturer_closes_the_class_and_removes_absent_students_with_their_answers(school, opened, clock):
     stays = school.join(opened.code, "stays")
     empty = [school.join(opened.code, f"script {number}") for number in range(38)]
     for seat in empty:
@@ -370,7 +370,7 @@ def test_the_lecturer_closes_the_door_and_removes_the_empty_seats_with_their_ans
     assert chosen(school, back) is None
     school.show(opened.key, Phase.REVEALED)
     assert school.distribution(opened.code, "faster") == {"machine": 1, "plain": 0, "neither": 0}
-    # What the class has seen stays as it was.
+    # Results that the class has seen do not change.
     clock.now += PRESENT + 1
     school.remove_absent(opened.key)
     assert school.distribution(opened.code, "faster")["machine"] == 1
@@ -400,13 +400,13 @@ def test_only_the_key_opens_the_lecturers_desk(school, opened):
     assert school.question(opened.code).stop == "faster"
 
 
-def test_the_file_does_not_hold_the_lecturers_key(school, opened):
+def test_database_does_not_contain_the_lecturers_key(school, opened):
     secret = opened.key.partition("-")[2]
     assert len(secret) >= 32
     seat = school.join(opened.code)
     kept = b"".join(file.read_bytes() for file in school._store.path.parent.iterdir())
     assert secret.encode() not in kept
-    assert seat.voter.encode() in kept  # negative control: what is kept in the open is found
+    assert seat.voter.encode() in kept  # Negative control: the search finds a value stored in plain text.
 
 
 def test_a_voter_who_never_joined_has_no_vote(school, opened):
@@ -432,7 +432,7 @@ def test_a_browser_is_one_voter_in_each_class_and_another_in_every_other(school,
     assert school.join(other.code, voter_of("phone", other.code)).voter != tabs[0].voter
 
 
-def test_present_is_who_was_heard_of_lately(school, opened, clock):
+def test_students_with_a_recent_request_count_as_present(school, opened, clock):
     stays, leaves = school.join(opened.code), school.join(opened.code)
     for seat in (stays, leaves):
         school.vote(seat, "faster", "plain")
@@ -442,7 +442,7 @@ def test_present_is_who_was_heard_of_lately(school, opened, clock):
     question = school.question(opened.code)
     assert (question.answered, question.present) == (1, 1)
     school.show(opened.key, Phase.REVEALED)
-    # Whoever has left has voted all the same.
+    # The votes of absent students count, too.
     assert school.distribution(opened.code, "faster")["plain"] == 2
 
 
@@ -474,7 +474,7 @@ def test_a_stop_that_is_asked_again_later_begins_a_new_vote_and_keeps_the_old_on
 # ---- limits and the end
 
 
-def test_a_class_is_gone_after_a_day_and_nothing_of_it_remains(school, opened, clock):
+def test_expired_class_is_deleted_with_all_its_rows(school, opened, clock):
     seat = school.join(opened.code)
     school.vote(seat, "faster", "plain")
     clock.now += DAY - 1
@@ -491,7 +491,7 @@ def test_a_class_is_gone_after_a_day_and_nothing_of_it_remains(school, opened, c
     assert left(school) == {"class": 0, "question": 0, "voter": 0, "vote": 0}
 
 
-def test_a_class_that_its_lecturer_ends_is_gone_at_once(school, opened):
+def test_closed_class_is_deleted_at_once(school, opened):
     other = school.open_class()
     seat = school.join(opened.code)
     school.vote(seat, "faster", "plain")
@@ -530,7 +530,7 @@ def test_delete_expired_overwrites_the_answers_and_creates_no_database(school, o
     assert not unused._store.path.parent.exists()
 
 
-def test_a_full_class_says_so(school, opened):
+def test_full_class_raises_a_sentence(school, opened):
     for number in range(STUDENTS):
         seat = school.join(opened.code, address=f"10.0.{number // 50}.7")
     with pytest.raises(ClassError, match="full: it has 500 students"):
@@ -538,7 +538,7 @@ def test_a_full_class_says_so(school, opened):
     school.join(opened.code, seat.voter)
 
 
-def test_a_lecturer_gets_a_class_whoever_opens_hundreds(school, opened, clock):
+def test_lecturer_gets_a_class_during_a_flood_of_openings(school, opened, clock):
     """A flood comes from several networks, each of which is slowed down; a class that somebody has joined stays."""
     school.join(opened.code)
     lecture = school.open_class(address="10.9.0.1")
@@ -569,7 +569,7 @@ def test_a_network_opens_as_many_classes_as_it_gets_seats_and_is_forgotten(schoo
     assert kept.fetchone() == (1,)
 
 
-def test_without_room_for_another_class_the_server_says_so(school, clock):
+def test_class_limit_raises_a_sentence(school, clock):
     for number in range(CLASSES):
         school.join(school.open_class(address=f"10.0.{number // NETWORK_SEATS}.7").code)
     with pytest.raises(ClassError, match="no room for another class"):
@@ -578,7 +578,7 @@ def test_without_room_for_another_class_the_server_says_so(school, clock):
     school.open_class()
 
 
-def test_a_file_that_cannot_be_used_gets_a_sentence(tmp_path):
+def test_unusable_file_raises_a_sentence(tmp_path):
     no_database = tmp_path / "notes.txt"
     no_database.write_text("Nothing that SQLite has written. " * 100)
     for path, sentence in (

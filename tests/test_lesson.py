@@ -1,4 +1,4 @@
-"""The lesson: every answer by a way of its own, every task solved and not solved, and that nothing is typed in."""
+"""The lesson: independent computations of the answers, and solved and failed attempts at every task."""
 
 import itertools
 import math
@@ -157,7 +157,7 @@ def expected() -> dict[str, str]:
 
 
 @pytest.mark.parametrize("name", [stop.id for stop in lesson.STOPS])
-def test_the_answer_is_the_one_of_an_independent_way(name):
+def test_answer_agrees_with_an_independent_computation(name):
     assert lesson.stop(name).answer() == expected()[name]
 
 
@@ -179,7 +179,7 @@ def test_a_stop_is_complete_and_its_right_option_has_no_fixed_place():
 
 
 @pytest.mark.parametrize("entry", [*lesson.STOPS, *lesson.TASKS], ids=lambda entry: entry.id)
-def test_no_question_and_no_hint_says_the_explanation(entry):
+def test_questions_and_hints_do_not_contain_the_explanation(entry):
     said = " ".join([entry.heading, *entry.hints, getattr(entry, "question", ""), getattr(entry, "text", "")])
     if isinstance(entry, lesson.Stop):
         assert not set(re.split(r"(?<=[.?!]) ", entry.explanation())) & set(re.split(r"(?<=[.?!]) ", said))
@@ -309,7 +309,7 @@ def matching(options, pattern, wanted):
 
 
 @pytest.mark.parametrize("strategy", STRATEGIES)
-def test_who_knows_no_physics_guesses(strategy):
+def test_options_do_not_reveal_the_right_one(strategy):
     """A student who goes by the looks of the options, choosing by lot among equals, scores as by chance."""
 
     answers = {stop.id: stop.answer() for stop in lesson.STOPS}
@@ -379,12 +379,12 @@ def test_every_task_can_be_done_and_missed(name):
         assert verdict.sentence.endswith((".", "?"))
 
 
-def test_a_share_that_nothing_can_show_is_none():
+def test_tiny_share_of_energy_is_called_none():
     sentence = lesson.task("half-energy").judge(attempt(part=1 / 4)).sentence
     assert sentence.startswith("At that moment the spring holds none of the energy.")
 
 
-def test_a_verdict_says_how_far_away_the_goal_is():
+def test_verdict_contains_the_distance_from_the_goal():
     def sentence(name, **values):
         return lesson.task(name).judge(attempt(**values)).sentence
 
@@ -451,7 +451,7 @@ def test_no_reply_names_the_number_that_the_question_asks_for():
     assert all(str(number) not in stop.reply(option) for option in stop.options if option != stop.answer())
 
 
-def test_the_last_stop_says_what_its_program_prints():
+def test_last_stop_quotes_the_output_of_its_program():
     value = paper_formula(1.0, 1e200, 1.0)
     assert value == 0
     assert math.copysign(1, value) == -1

@@ -1,4 +1,4 @@
-"""The grammar of a typed formula: what it reads, what it refuses, and that nothing makes it stumble."""
+"""The grammar of a typed formula: accepted texts, refused texts, and limits."""
 
 import os
 import re
@@ -28,7 +28,7 @@ def _outcome(text: str) -> tuple[sp.Expr | None, str]:
 
 
 def value(text: str) -> sp.Expr:
-    """What a text is worth at `POINT`, worked out by SymPy."""
+    """Return the value of a text at `POINT`, computed by SymPy."""
     parsed = parse(text)
     numbers = {s: sp.Rational(s.name) for s in parsed.free_symbols if is_decimal(s)}
     numbers |= {symbol: sp.Rational(POINT[name].numerator) for name, symbol in SYMBOLS.items()}
@@ -76,12 +76,12 @@ def value(text: str) -> sp.Expr:
         (r"$m^{\prime}\cdot{m'}^{2}\times\Phi\dot{\Phi}\varepsilon$", mp**3 * Phi * Phid * eps),
     ],
 )
-def test_reads(text: str, expected: Fraction) -> None:
+def test_formulas_are_parsed(text: str, expected: Fraction) -> None:
     assert value(text) == expected
 
 
 @pytest.mark.parametrize("text", ["√(1729)", "1729^(1/2)", "1729^½", "sqrt 1729"])
-def test_reads_roots(text: str) -> None:
+def test_roots_are_parsed(text: str) -> None:
     assert value(text) == sp.sqrt(1729)
 
 
@@ -130,7 +130,7 @@ def test_reads_roots(text: str) -> None:
         ("(" * 100 + "m" + ")" * 100, "nested"),
     ],
 )
-def test_refuses_with_a_sentence(text: str, said: str) -> None:
+def test_unreadable_text_raises_a_sentence(text: str, said: str) -> None:
     with pytest.raises(UnreadableError, match=r"[.?]") as refusal:
         parse(text)
     sentence = str(refusal.value)
@@ -148,13 +148,13 @@ def test_refuses_with_a_sentence(text: str, said: str) -> None:
         (lambda n: "m" + " " * (n - 1), MAX_LENGTH),
     ],
 )
-def test_a_limit_is_reached_and_not_passed(text, limit) -> None:
+def test_limits_are_exact(text, limit) -> None:
     parse(text(limit))
     with pytest.raises(UnreadableError):
         parse(text(limit + 1))
 
 
-def test_many_signs_are_no_depth() -> None:
+def test_repeated_signs_do_not_count_as_nesting() -> None:
     assert value("-" * 299 + "m") == -m
 
 
@@ -190,7 +190,7 @@ def test_value_is_the_one_python_computes(text: str) -> None:
         assert any(word in refusal for word in ("large", "nested"))
         return
     assert value(text) == expected
-    # What is set in LaTeX is what was typed: it can be read again, where it is not too long.
+    # The LaTeX of a formula can be parsed again, unless it is too long.
     again = typeset(text)
     assert len(again) > MAX_LENGTH or "nested" in _outcome(again)[1] or value(again) == expected
 
@@ -204,5 +204,5 @@ def test_value_is_the_one_python_computes(text: str) -> None:
         ("0.250*3^2", r"0.250 \cdot {3}^{2}"),
     ],
 )
-def test_sets_in_latex(text, formula):
+def test_typeset_formula(text, formula):
     assert typeset(text) == formula

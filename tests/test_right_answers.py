@@ -83,7 +83,7 @@ def as_latex(expression: sp.Expr) -> str:
 
 
 @pytest.mark.parametrize("name", QUESTIONS)
-def test_the_right_answer_is_right_in_any_form_and_spelling(name):
+def test_right_answer_is_accepted_in_any_form_and_spelling(name):
     source = random.Random(name)
     refused = 0
     for _ in range(COUNT):
@@ -96,7 +96,7 @@ def test_the_right_answer_is_right_in_any_form_and_spelling(name):
             refused += 1
             continue
         assert verdict.kind in ("right", "unsimplified"), (text, verdict.message)
-        # What the page shows as read can be typed again.
+        # The typeset formula is valid input.
         again = typeset(text, is_equation=name in EQUATIONS)
         assert len(again) > MAX_LENGTH or judge(name, again).kind == verdict.kind, (text, again)
     assert refused < COUNT / 4
