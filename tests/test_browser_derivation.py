@@ -124,7 +124,7 @@ def test_three_machines_run_and_a_formula_is_judged_and_hostile_text_stays_text(
     for text, told in (
         ("4kR²φ²", "leave out the ½"),
         ("<img src=x onerror=alert(1)>", "Type only the right side of the equation"),
-        (":red[x]", "colon"),
+        (":red[x]", "“red” is not known here"),
         ("2kR²φ²", "Right!"),
     ):
         box.fill(text)
