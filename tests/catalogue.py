@@ -1,4 +1,4 @@
-"""Update the catalogues of the translations, and list what is left to do.
+"""Update the catalogues of the translations, and list the remaining work.
 
 $ python -m tests.catalogue            update every catalogue
 $ python -m tests.catalogue fr         begin a catalogue, or update one
@@ -19,7 +19,7 @@ PACKAGE = LOCALE.parent
 KEYWORDS = {"_": None, "ngettext": (1, 2), "pgettext": ((1, "c"), 2)}
 OPTIONS = {"keywords": KEYWORDS, "comment_tags": ["TRANSLATORS:"], "strip_comment_tags": True}
 ORDER = ("translation", "numerals", "shell", "pages/oscillator", "browser", "figures/oscillator", "derivation", "pages")
-"""Beginnings of file names in the order in which to translate: first what a visitor sees first; the rest follows."""
+"""Prefixes of file names in the order of translation. The texts of the first page come first."""
 
 
 @cache
@@ -105,7 +105,7 @@ def _placed(message: Message) -> str:
 
 
 def report(language: str, catalogue: Catalog) -> Iterator[str]:
-    """Yield the lines about a catalogue: how much is translated, what is left, and which translations have a fault."""
+    """Yield the lines of a report on a catalogue: its progress, missing messages, and faulty translations."""
     compiled = translations(language)
     yield f"{language}: {compiled.percentage} % translated"
     for kind, entries in remaining(catalogue).items():
@@ -121,7 +121,7 @@ def sentence(language: str, fault: Fault) -> str:
 
 
 def main(*names: str) -> None:
-    """Update every catalogue and those that are named, and print what is left to do."""
+    """Update all existing and all named catalogues, and print the remaining work."""
     for language in sorted({*names, *languages()}):
         try:
             Locale.parse(language)

@@ -2,8 +2,8 @@
 
 A test that uses a browser has the mark `browser`; `pytest -m "not browser"` leaves these tests out. Without its
 browser such a test is skipped, unless RAMANUJAN_REQUIRE_BROWSER is set, as it is in CI. Each worker starts one
-browser, and each test opens contexts of its own in it: no test sees a tab, a cookie or a stored value of another one.
-All workers of a run share one server and its caches.
+browser, and each test opens new contexts in it. Tests share no tabs, cookies or stored values. All workers
+of a run share one server and its caches.
 """
 
 import contextlib
@@ -31,11 +31,11 @@ from tests.browser import (
 )
 from tests.engines import bare, bare_address, browsers, engine, playwright, skip_missing, some, window  # noqa: F401
 
-# The classes that tests open are not among those of this machine's own app, which keeps 200 at most.
+# Store the tests' classes separately: the app on this computer stores at most 200.
 _CLASSES = TemporaryDirectory()
 os.environ.setdefault("RAMANUJAN_CLASSES", f"{_CLASSES.name}/classes.sqlite")
 
-# In CI the same cases each time: a case that nobody has met yet is looked for on the machines of developers.
+# CI uses the same cases in each run. Developers' runs search for new cases.
 settings.register_profile("ci", derandomize=True)
 if os.environ.get("RAMANUJAN_REQUIRE_BROWSER"):
     settings.load_profile("ci")
@@ -68,7 +68,7 @@ def pytest_terminal_summary(terminalreporter: pytest.TerminalReporter) -> None:
 
 @pytest.hookimpl(wrapper=True)
 def pytest_runtest_makereport(item: pytest.Item) -> Iterator[None]:
-    """Save what a failing browser test saw, and name it in the report: screenshot, address, console."""
+    """Save a screenshot of a failing browser test, and add its address and console to the report."""
     report = yield
     if report.when == "call" and report.failed:
         for number, page in enumerate(item.stash.get(PAGES, [])):
@@ -88,7 +88,7 @@ _APP = pytest.StashKey[running]()
 
 @pytest.hookimpl(optionalhook=True)
 def pytest_configure_node(node: object) -> None:
-    """Tell a worker the address of the app that all of them share."""
+    """Pass the address of the shared app to a worker."""
     if CHROMIUM:
         stash = node.config.stash
         stash[_APP] = stash.get(_APP, None) or running(ROOT / "app.py")
@@ -96,7 +96,7 @@ def pytest_configure_node(node: object) -> None:
 
 
 def pytest_unconfigure(config: pytest.Config) -> None:
-    """End the app that the workers have shared."""
+    """Stop the shared app."""
     if app := config.stash.get(_APP, None):
         app.__exit__()
 
@@ -125,11 +125,11 @@ def chromium(playwright: object) -> Iterator[object]:  # noqa: F811
 def visit(request: pytest.FixtureRequest, chromium: object, server: str) -> Iterator[Callable]:
     """Open a page of the app as a new visitor: visit("?m=2", width=390, height=844, theme="dark").
 
-    Each call has a browser context of its own, with further options as Playwright names them; `tab=page` opens the
-    address in a visitor's tab instead, and `beside=page` in another tab of that visitor. Scripts run before those of
-    the page. `network` is the address of another way to the server; `note` takes the address of each request. No page
-    may end with an error. The stage stands still unless motion="no-preference" is asked for: to draw sixty frames a
-    second without a graphics card takes a processor of its own. With figures=False there is nothing where they are.
+    Each call creates a browser context, with further options under Playwright's names. `tab=page` opens the address in
+    an existing tab instead, and `beside=page` in another tab of the same visitor. Scripts run before those of the page.
+    `network` is the address of a proxy for the server. `note` is called with the address of each request. A page with
+    an error fails the test. The stage moves only with motion="no-preference", because sixty frames a second without a
+    graphics card need a whole processor. With figures=False, the page has no figures.
     """
     contexts, errors = [], []
     pages = request.node.stash.setdefault(PAGES, [])
@@ -171,5 +171,5 @@ def visit(request: pytest.FixtureRequest, chromium: object, server: str) -> Iter
     assert errors == []
 
 
-# Each app test reads the descriptions of all packages, a tenth of a second; while tests run these stay as they are.
+# Cache the descriptions of all packages: each app test would need a tenth of a second for them.
 manifest_scanner.scan_component_manifests = cache(manifest_scanner.scan_component_manifests)

@@ -1,7 +1,7 @@
-"""Reads LaTeX as the pages show it, and evaluates it with 100 digits: what a reader with pencil and paper would do.
+"""Parse the LaTeX of the pages, and evaluate it with 100 digits.
 
-It knows nothing of the package or of SymPy: each mark becomes the one of Python that means the same. A decimal that
-ends in dots is read as the number that is written.
+The parser uses neither the package nor SymPy. It replaces each LaTeX command by the equivalent Python operator. It
+ignores the dots at the end of a decimal.
 """
 
 from __future__ import annotations

@@ -1,6 +1,6 @@
-"""The machine a second time, by SymPy's mechanics package: what the derivations are tested against.
+"""A reference model of the machine, by SymPy's mechanics package, for tests of the derivations.
 
-It shares with them the symbols only; velocities are put together here from frames and points.
+It shares only the symbols with them, and derives velocities from frames and points.
 """
 
 import random
@@ -83,7 +83,7 @@ def number(expression: sp.Expr, seed: int = 0) -> sp.Expr:
 
 
 def equal(left: sp.Expr, right: sp.Expr) -> bool:
-    """Tell whether two rational expressions agree: at three random points each, exactly."""
+    """Return whether two rational expressions agree exactly at three random points."""
     return all(sp.radsimp(number(left, seed) - number(right, seed)) == 0 for seed in range(3))
 
 
@@ -108,5 +108,5 @@ def spoiled(relation: sp.Eq) -> sp.Eq:
 
 
 def is_zero(expression: sp.Expr) -> bool:
-    """Tell whether an expression vanishes for two choices of numbers."""
+    """Return whether an expression vanishes for two choices of numbers."""
     return all(sp.radsimp(number(sp.sympify(expression), seed)) == 0 for seed in range(2))

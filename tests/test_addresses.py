@@ -125,7 +125,7 @@ def test_what_nobody_means_leaves_the_other_keys_alone(name, half):
     bad = {key: UNMEANT[DANGEROUS[i % 4]] for i, key in enumerate(keys[half::2])}
     good = {key: meant(OWN[name][key]) for key in keys[1 - half :: 2]}
     app = opened(name, {**bad, **good})
-    warning, *_ = app.warning  # a target of which half is a default may be out of reach
+    warning, *_ = app.warning  # a target with default values may be out of reach
     for key in bad:
         assert f" {key} " in warning.value
         assert state(app, key) == DEFAULTS[key]
@@ -136,7 +136,7 @@ def test_what_nobody_means_leaves_the_other_keys_alone(name, half):
         assert state(app, key) in taken
 
 
-# Negative controls: what is meant is taken, and nothing is said.
+# Negative controls: a valid address is accepted without a warning.
 
 
 @pytest.mark.parametrize("name", [name for name in PAGES if OWN[name]])
@@ -154,7 +154,7 @@ def test_an_address_is_taken_and_kept_as_it_is(name):
     assert not app.warning
     assert not OWN[name].keys() & set(app.query_params)
     app.switch_page(PAGES[name].file).run()
-    # The three modes begin anew with their page: what is seen of them, the browser alone knows.
+    # The three modes restart with their page, and only the browser knows the visible ones.
     kept = {key: text for key, text in address.items() if not key.startswith("modes_")}
     assert {key: app.query_params.get(key) for key in kept} == kept
 
@@ -214,7 +214,7 @@ def test_an_address_of_the_network_stays_as_the_browser_has_it(monkeypatch):
 
 
 def has_network() -> bool:
-    """Tell whether this computer has a route to others; where Linux's list of routes is missing, assume it."""
+    """Return whether this computer has a network route. Without Linux's list of routes, assume one."""
     routes = Path("/proc/net/route")
     lines = routes.read_text(encoding="ascii").splitlines()[1:] if routes.exists() else ["any"]
     return any(not line.startswith("lo") for line in lines)

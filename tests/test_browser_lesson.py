@@ -79,7 +79,7 @@ def check_prediction(page) -> None:
     # The machine is still, and the choice can be changed.
     next_frame(page)
     assert page.evaluate(PLACE) == place
-    # A reader who continues without a check is asked once, and the control shows the present stop again.
+    # A reader who skips the check gets one question, and the control shows the present stop again.
     page.keyboard.press("ArrowRight")
     settle(page)
     assert heading(page) == f"1. {lesson.STOPS[0].heading}"

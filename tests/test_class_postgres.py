@@ -28,7 +28,7 @@ USER = {"user": "postgres"} if hasattr(os, "geteuid") and os.geteuid() == 0 else
 
 
 class Server:
-    """A PostgreSQL server with an empty database of its own."""
+    """A PostgreSQL server with a new, empty database."""
 
     def __init__(self, folder: Path) -> None:
         with socket.socket() as probe:

@@ -147,7 +147,7 @@ def test_two_hundred_students_in_several_processes_lose_no_vote_though_one_proce
     assert len(told) == 201
     assert answered(school, opened) == 201
     school.show(opened.key, Phase.REVEALED)
-    # What each student was told last is what is counted; the answer that was never finished is not.
+    # The count contains the last confirmed answer of each student, and no unfinished one.
     assert school.distribution(opened.code, "faster") == {o: Counter(told.values())[o] for o in OPTIONS}
 
 
@@ -161,7 +161,7 @@ def test_timeout_raises_a_sentence(school, opened, monkeypatch):
     assert answered(school, opened) == 1
 
 
-# ---- what is seen, by whom, and when
+# ---- visibility of results
 
 
 def test_nobody_sees_the_distribution_before_it_is_revealed(school, opened):
@@ -503,7 +503,7 @@ def test_closed_class_is_deleted_at_once(school, opened):
 
 
 def left(school: classes.Classes) -> dict[str, int]:
-    """Count what is in the file, past the room's own door."""
+    """Count the rows of each table, read directly from the database file."""
     file = sqlite3.connect(school._store.path)
     tables = ("class", "question", "voter", "vote")
     return {table: file.execute(f"SELECT COUNT(*) FROM {table}").fetchone()[0] for table in tables}
@@ -539,7 +539,7 @@ def test_full_class_raises_a_sentence(school, opened):
 
 
 def test_lecturer_gets_a_class_during_a_flood_of_openings(school, opened, clock):
-    """A flood comes from several networks, each of which is slowed down; a class that somebody has joined stays."""
+    """A flood comes from several networks, and each is slowed down. A class with students is not deleted."""
     school.join(opened.code)
     lecture = school.open_class(address="10.9.0.1")
     flood = []

@@ -127,7 +127,7 @@ def test_over_https_a_first_visit_is_small(hall: deployed, chromium: object) -> 
     tab.goto(hall.secure)
     tab.locator(".js-plotly-plot .scatterlayer path").first.wait_for(state="attached")
     tab.locator("svg.machine[viewBox]").wait_for(state="attached")
-    # What a browser keeps from here it sends over HTTPS alone: the app's name for it, and the proxy's.
+    # The browser sends the cookies of the app and of the proxy only over HTTPS.
     secure = {cookie["name"]: cookie["secure"] for cookie in context.cookies()}
     assert {NAME, STORE} <= {*secure}
     assert all(secure.values()), secure
@@ -232,7 +232,7 @@ def slider(tab: object) -> object:
 
 
 def move(tab: object, steps: int) -> None:
-    """Move m′ by so many steps and wait for the answer."""
+    """Move m′ by `steps` steps and wait for the answer."""
     slider(tab).focus()
     for _ in range(steps):
         tab.keyboard.press("ArrowRight")

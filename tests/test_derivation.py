@@ -1,4 +1,4 @@
-"""What every step of every route has to be, and what is said about one machine."""
+"""Requirements on every step of every route, and on the numbers for a machine."""
 
 import re
 from dataclasses import replace
@@ -20,7 +20,7 @@ TWO_MASSES = Numbers(2.0, 3.0, 50.0)
 STEPS = [(name, step.key) for name in ROUTES for step in ROUTES[name].steps]
 
 
-# What a step is
+# Requirements on a step
 
 
 @pytest.mark.parametrize(("name", "key"), STEPS)

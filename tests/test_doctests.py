@@ -1,4 +1,4 @@
-"""Every public name has a docstring that says what comes back, with an example that runs, and types without Any."""
+"""Every public name has types without Any, and a docstring with its return value and a running example."""
 
 import doctest
 import importlib

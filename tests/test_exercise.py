@@ -57,7 +57,7 @@ def test_an_exercise_keeps_its_order_shows_no_key_and_ends_in_a_sheet(app):
     assert app.title[0].value == "The quadratic equation"
     answer(app, "unit_quadratic", "18 eps^2 + eps = 24")
     assert app.success
-    # What follows a right answer does not take it back.
+    # A later wrong answer does not replace a right one.
     answer(app, "unit_quadratic", "18 eps^2 = 24")
     assert app.warning
     go(app, 2)
@@ -79,7 +79,7 @@ def test_an_exercise_keeps_its_order_shows_no_key_and_ends_in_a_sheet(app):
     assert "Not right yet." in third
     assert "`` k <b>|$R$ ``" in third
     assert f"Hints used: {len(question('potential_energy').hints)}" in third
-    # Nothing that the page gets leads to a key.
+    # No message to the page reveals a key.
     for item in range(1, 5):
         go(app, item)
         assert "_key=" not in sent(app)
@@ -128,7 +128,7 @@ def test_a_session_lists_what_has_been_solved(app):
     for name in ("block_momentum", "kinetic_energy_block"):
         app.session_state["question"] = name
         answer(sound(app.run()), name, RIGHT[name][0])
-    # Another page, and back.
+    # Open another page and return.
     app.switch_page(WORKSHEET).run()
     sound(app.switch_page("ramanujan/pages/derivation/page.py").run())
     solved = next(each.value for each in app.markdown if each.value.startswith("- :green"))
@@ -141,7 +141,7 @@ def test_a_session_lists_what_has_been_solved(app):
     name = "block_momentum"
     app.session_state["question"] = name
     sound(app.run())
-    # The route above has the same step.
+    # The route above contains the same step.
     before = len(app.latex)
     for _ in question(name).hints:
         hint(app, name)

@@ -1,6 +1,6 @@
-"""What a student takes home: LaTeX that compiles, Markdown, and notebooks that derive Ω² again by themselves.
+"""Downloads: LaTeX that compiles, Markdown, and notebooks that derive Ω² without the app.
 
-That every file has the equations of its route is for test_my_numbers, which reads them back.
+test_my_numbers checks that every file contains the equations of its route.
 """
 
 import itertools
@@ -33,7 +33,7 @@ def values_if(numbers: bool):
 
 
 def typeset(document: str, folder: Path) -> str:
-    """Run pdflatex, which must find no error, and return what it says."""
+    """Run pdflatex, check that it finds no error, and return its output."""
     (folder / "document.tex").write_text(document, encoding="ascii")
     command = [ENGINE, "-interaction=nonstopmode", "-halt-on-error", "-draftmode", "document.tex"]
     run = subprocess.run(command, cwd=folder, capture_output=True, encoding="latin-1", check=False)
@@ -42,7 +42,7 @@ def typeset(document: str, folder: Path) -> str:
 
 
 def environments_nest(document: str) -> bool:
-    """Tell whether every \\begin meets its own \\end and every brace its partner."""
+    """Return whether every \\begin has its \\end, and every brace its partner."""
     open_environments: list[str] = []
     for kind, name in re.findall(r"\\(begin|end)\{([a-z*]+)\}", document):
         if kind == "begin":
@@ -164,7 +164,7 @@ def result(notebook: object, key: str) -> str:
 @pytest.mark.parametrize(("name", "numbers"), [*zip(ROUTES, itertools.cycle(MACHINES), strict=False)])
 @pytest.mark.xdist_group("notebook")
 def test_the_notebook_of_the_download_button_runs(name, numbers, kernel):
-    """In symbols and for a machine: what the button hands over ends in the Ω² that the page shows."""
+    """The notebook ends in the Ω² that the page shows, both in symbols and for a machine."""
     found = result(executed(page.document.__wrapped__(name, None, "notebook"), kernel), "check")
     found = sp.sympify(found.replace("m'", "m_prime"), locals={"m": m, "m_prime": m_prime, "k": k})
     assert sp.cancel(found - ROUTES[name].natural_frequency_squared) == 0

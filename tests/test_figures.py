@@ -1,4 +1,4 @@
-"""The figures that are written as dictionaries: Plotly itself checks every property, and reads the arrays."""
+"""The figures written as dictionaries: Plotly validates every property and reads the arrays."""
 
 import json
 import re
@@ -16,7 +16,7 @@ from ramanujan.shell.navigation import PAGES
 from tests.browser import ROOT
 
 DRAWN = {path.stem for path in (ROOT / "ramanujan" / "figures").glob("*.py")} & set(PAGES)
-"""Pages with figures: those of a page are in the file of its name."""
+"""Pages with figures. The file with the page's name draws them."""
 
 
 def test_a_figure_is_sent_as_plotly_would_send_it() -> None:
@@ -30,7 +30,7 @@ def test_a_figure_is_sent_as_plotly_would_send_it() -> None:
 
 
 def boxes(notes: list[dict], area: Area, size: float, screen: tuple[float, float]) -> dict[str, np.ndarray]:
-    """Return where the letters of the names are in a panel: left, lower, right and upper end [px]."""
+    """Return the left, lower, right and upper ends of the names in a panel [px]."""
     found = {}
     for note in notes:
         width, height = 0.5 * size * len(note["text"]), 0.9 * size
@@ -53,7 +53,7 @@ def test_names_touch_neither_curves_nor_each_other_on_a_phone_and_on_a_projector
         for axis, scale in (("y", 0.1), ("y2", 1))
     )
     notes = beside(upper, lower)
-    # Where curves are close to each other their names would touch: they are in the other panel.
+    # Names of close curves would touch, so they are in the other panel.
     assert {note["text"] for note in notes if note["yref"] == "y2"} == set(curves)
     assert {note["text"] for note in notes if note["yref"] == "y"} < set(curves)
     for size, screen in ((13, (278, 410)), (15, (780, 410)), (24, (1069, 374))):
@@ -70,7 +70,7 @@ def test_names_touch_neither_curves_nor_each_other_on_a_phone_and_on_a_projector
                     for n, other in found.items()
                     if n != name and np.all(box[:2] < other[2:]) and np.all(other[:2] < box[2:])
                 ]
-    # A curve without points, of a method that failed, has no name; nor has a band without room.
+    # A curve without points has no name. A band that is too narrow has no name.
     found = [("failed", "#123", t, np.full(len(t), np.nan)), ("right", "#123", t, 0 * t + 0.5)]
     assert [note["text"] for note in beside(Area(found, (0, 4), (0, 1), 410))] == ["right"]
     bands = {"thin": [0 * t, 0 * t + 0.01], "broad": [0 * t + 0.01, 0 * t + 1]}
@@ -78,7 +78,7 @@ def test_names_touch_neither_curves_nor_each_other_on_a_phone_and_on_a_projector
 
 
 def letters_high(key: str) -> int:
-    """Return the height of a figure in letters of the page, by type.css; the last rule counts."""
+    """Return the height of a figure in em, from the last matching rule of type.css."""
     rules = (ROOT / "ramanujan/browser/components/type.css").read_text(encoding="utf-8")
     [usual] = re.findall(r"\.stPlotlyChart \{ height: calc\(var\(--high, (\d+)\)", rules)
     own = [
@@ -111,6 +111,6 @@ def test_plotly_knows_every_property_of_a_page(app: AppTest, name: str, monkeypa
     assert all(any(map(str.isdigit, chart.proto.alt)) for chart in app.get("plotly_chart")), "words with numbers"
     for figure, key in sent:
         assert isinstance(figure, BaseFigure)
-        # As high as the page gives it room at 16 px a letter: it is drawn once.
+        # The figure has the height of its place on the page, so it is drawn only once.
         assert figure.to_dict()["layout"]["height"] == 16 * letters_high(key)
         assert go.Figure(figure.to_dict()).layout.template.layout.font.size == 14

@@ -1,7 +1,7 @@
-"""Nothing is left for the blackboard: in the paper's route each equation follows from those before by what is said.
+"""In the paper's route each equation follows from the earlier ones by the stated operation.
 
-A function with the name of a step repeats its operation by plain SymPy, on the equations that are displayed. It returns
-what must vanish. That the equations of all routes are true is for test_my_numbers.
+A function with the name of a step repeats its operation by plain SymPy, on the displayed equations. It returns
+expressions that must vanish. test_my_numbers checks that the equations of all routes are true.
 """
 
 import re

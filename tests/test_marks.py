@@ -75,13 +75,13 @@ def _changed(source: sp.Eq, line: sp.Eq, step: Equations, known: Equations) -> t
 
 
 def _factor(source: sp.Eq, line: sp.Eq) -> sp.Expr:
-    """Return what a line is times its source, or 1 if it is no multiple of it."""
+    """Return the ratio of a line to its source, or 1 if it is not a multiple of it."""
     is_like = _unknowns(source) == _unknowns(line) and source.free_symbols >= line.free_symbols
     return _ratio(_difference(line), _difference(source)) or sp.S.One if is_like else sp.S.One
 
 
 def _vanishes(gained: sp.Expr, step: Equations, known: Equations) -> bool:
-    """Tell whether an expression is zero because of a known equation, or of what the step defines."""
+    """Return whether an expression is zero by a known equation or by a definition in the step."""
     defined = {each.lhs: each.rhs for each in step if each.lhs.is_Symbol}
     return sp.cancel(gained.subs(defined)) == 0 or any(
         _unknowns(each) == _unknowns(gained) and _ratio(gained, _difference(each)) for each in known
@@ -114,5 +114,5 @@ def _difference(equation: sp.Eq) -> sp.Expr:
 
 @cache
 def _unknowns(expression: sp.Basic) -> Collection[sp.Basic]:
-    """Return what is no constant of the machine."""
+    """Return all symbols that are not constants of the machine."""
     return expression.atoms(AppliedUndef, sp.Derivative, sp.Symbol) - _CONSTANTS

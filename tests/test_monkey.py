@@ -31,7 +31,7 @@ Action = tuple[str, Callable[[], object]]
 
 
 def actions(app: AppTest, chance: random.Random) -> list[Action]:
-    """Return what the monkey could do now, one of each kind at most."""
+    """Return the monkey's possible actions, at most one of each kind."""
     found: list[Action] = [("open", lambda: app.switch_page(chance.choice(list(PAGES.values())).file))]
     key = chance.choice(KEYS)
     text = chance.choice(LINKED)

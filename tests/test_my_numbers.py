@@ -1,7 +1,7 @@
-"""What is shown is true: each equation of each route is read back from its LaTeX, as a page or a file shows it.
+"""Every displayed equation of every route is true, on pages and in files.
 
-`tests.latex` reads it. Both sides must agree, to fifty digits, for the exact motion of the machine. That is worked out
-here with mpmath from the mass matrix. The package's formulas, and how numbers come into them, play no part.
+`tests.latex` parses its LaTeX. Both sides must agree to fifty digits for the exact motion of the machine. mpmath
+computes this motion from the mass matrix, independently of the package's formulas.
 """
 
 import os
@@ -148,7 +148,7 @@ def motion(mass: mpmath.mpf, roller: mpmath.mpf, stiffness: mpmath.mpf, in_mode:
 
 
 def motions(name: str, key: str, equal_masses: bool, given: Masses) -> Iterator[dict[str, Number]]:
-    """Yield the motions of which a step may speak: that of the given machine, or of the one that the step is about.
+    """Yield the possible motions of a step: of the given machine, or of the step's special machine.
 
     The last two steps of Euler–Lagrange state a condition on ε, which only ε* satisfies.
     """
@@ -160,7 +160,7 @@ def motions(name: str, key: str, equal_masses: bool, given: Masses) -> Iterator[
 
 
 def holds(line: str, known: dict[str, Number]) -> bool:
-    """Tell whether both sides of an equation agree, to fifty digits, and its decimal is that of its right side."""
+    """Return whether both sides of an equation agree to fifty digits, and its decimal with its right side."""
     left, right, decimal, is_exact = sides(line)
     said, found = (formula(side) for side in (left, right))
     one, other = said.value(known), found.value(known)
@@ -179,7 +179,7 @@ def hundred_digits() -> Iterator[None]:
         yield
 
 
-# What is shown
+# The displayed equations
 
 
 def of_route(name: str, equal_masses: bool, numbers: Numbers | None) -> Iterator[tuple[str, str]]:

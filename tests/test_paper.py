@@ -88,7 +88,7 @@ def test_every_equation_of_the_paper_is_in_the_step_that_its_list_names():
 
 
 def says(relation: sp.Eq, printed: sp.Eq) -> bool:
-    """Tell whether two equations are the same but for a factor; one of two terms is no sum of three."""
+    """Return whether two equations differ only by a factor, and the first has at least as many terms."""
     if printed.lhs.is_Symbol or printed.lhs.is_Derivative:
         return relation.lhs == printed.lhs and is_zero(relation.rhs - printed.rhs)
     if not relation.has(*(ACCELERATIONS if printed.has(sp.Derivative) else [epsilon])):

@@ -52,7 +52,7 @@ def graph() -> grimp.ImportGraph:
 
 
 def room_of(module: str) -> str:
-    """Return the room of a module; the standalone file lies in the browser's folder and shows what a page shows."""
+    """Return the room of a module. The standalone file is in the browser's folder but counts as a page."""
     if module.startswith("ramanujan.browser.standalone"):
         return "standalone"
     return module.split(".")[1] if "." in module else ""

@@ -1,4 +1,4 @@
-"""The class on the lesson's page: a round as lecturer and students see it, and what neither may see."""
+"""The class on the lesson's page: a round for lecturer and students, and the data hidden from each of them."""
 
 import asyncio
 import csv
@@ -29,20 +29,20 @@ WRONG = next(option for option in STOP.options if option != RIGHT)
 
 @pytest.fixture(autouse=True)
 def school(tmp_path, monkeypatch) -> classes.Classes:
-    """The classes of a server of our own."""
+    """The classes of a separate server."""
     monkeypatch.setenv("RAMANUJAN_CLASSES", str(tmp_path / "classes.sqlite"))
     return classes.shared()
 
 
 @pytest.fixture(autouse=True)
 def cookies(monkeypatch) -> None:
-    """A browser's name, which AppTest cannot send, is what a test puts into the session; all share one address."""
+    """Read the browser's name from the session, because AppTest sends no cookies. All sessions share one address."""
     monkeypatch.setattr(class_session, "browser", lambda: st.session_state.get("cookie", ""))
     monkeypatch.setattr(class_session, "network", lambda: "10.0.0.1")
 
 
 def visitor(cookie: str = "", **link: str) -> AppTest:
-    """Return the lesson's page as a new session with this address sees it."""
+    """Return the lesson's page in a new session with this address."""
     app = AppTest.from_file(str(ROOT / "app.py"), default_timeout=60).run()
     app.session_state["cookie"] = cookie
     for key, value in link.items():
@@ -51,7 +51,7 @@ def visitor(cookie: str = "", **link: str) -> AppTest:
 
 
 def words(app: AppTest) -> str:
-    """Return all that the page says."""
+    """Return all words of the page."""
     assert not app.exception
     kinds = (app.title, app.subheader, app.markdown, app.text, app.caption, app.info, app.success, app.warning)
     bars = [element.proto.text for element in app.get("progress")]
@@ -69,7 +69,7 @@ def answer(app: AppTest, option: str) -> AppTest:
 
 @pytest.fixture
 def lecturer() -> AppTest:
-    """A lecturer who has opened a class and gone to the first stop."""
+    """The page of a lecturer who has opened a class, at the first stop."""
     return press(visitor(), "open")
 
 
@@ -85,7 +85,7 @@ def test_a_class_at_localhost_shows_the_address_in_the_network_or_a_warning(monk
 
 
 def test_no_preset_tells_the_answer_before_the_class_has_seen_it():
-    # The lecturer has predicted it in another hour; this class has not.
+    # The lecturer predicted the motion in an earlier lesson. This class has not.
     stop = lesson.stop("exactly")
     lecturer = press(visitor(stop=stop.id, chosen=f"exactly.{stop.answer()}"), "open")
     student = visitor(**{"class": address(lecturer)["class"]})
@@ -102,7 +102,7 @@ def test_no_preset_tells_the_answer_before_the_class_has_seen_it():
 
 
 def address(app: AppTest) -> dict[str, str]:
-    """Return what stands in the address."""
+    """Return the parameters of the address."""
     return {key: value if isinstance(value, str) else value[0] for key, value in app.query_params.items()}
 
 
@@ -140,10 +140,10 @@ def test_a_round_with_a_second_vote_and_what_the_lecturer_takes_home(lecturer, s
     for page in (lecturer, students[0].run()):
         assert "Second vote" in words(page)
         assert "2 of 3, 67\u202f%" in words(page)
-        # How many have found the right answer would tell which it is.
+        # The share of right answers would reveal the right option.
         assert "right" not in words(page).lower().replace(STOP.question.lower(), "")
 
-    # The right answer comes last: after the machine has run, with the reason, at the desk and on the phones.
+    # After the machine has run, desk and phones show the right answer with its reason.
     press(lecturer, "run")
     assert STOP.explanation() not in words(lecturer)
     press(lecturer, "solve")
@@ -152,11 +152,11 @@ def test_a_round_with_a_second_vote_and_what_the_lecturer_takes_home(lecturer, s
         assert "Changed to the right answer: 2.** Changed to a wrong answer: 1." in words(page)
     assert "This is right, and it was your answer" in words(students[0].run())
     assert STOP.explanation() in words(students[0])
-    # Whoever was wrong reads a word on that option first.
+    # A wrong answer first gets the reply to its option.
     assert STOP.reply(WRONG) in words(students[2].run())
     assert STOP.reply(WRONG) not in words(students[0])
     assert "This is right." in words(students[2].run())
-    # A student reads which answer it was; the desk and the wall, which wrong answer most have chosen.
+    # A phone shows its own answer. Desk and wall show the most frequent wrong answer.
     wall = visitor(**{"class": code_of(lecturer), "wall": "on"})
     assert f"**You chose:** {STOP.options[WRONG]}\\\n{STOP.reply(WRONG)}" in words(students[2])
     for page in (lecturer, wall):
@@ -180,7 +180,7 @@ def test_a_late_answer_gets_its_reason_and_does_not_count(lecturer, school):
     answer(first, RIGHT)
     assert "another vote has begun" in words(first)
     assert first.radio[0].value is None
-    # What was too late for the first vote is no reproach in the second.
+    # The second vote shows no warning about an answer that missed the first.
     answer(first, RIGHT)
     assert "Your answer counts" in words(first)
     assert "too late" not in words(first)
@@ -199,7 +199,7 @@ def test_who_cannot_vote_now_sees_the_own_vote_and_why(lecturer):
     no_vote = "You have no answer to this question. The result has been shown, so nobody can vote on it now."
     assert "can no longer be changed" in words(voter.run())
     assert no_vote in words(late.run())
-    # The desk goes back: the question is visible again, but the vote stays closed.
+    # After the desk goes back, the question is visible again, but the vote stays closed.
     press(lecturer, "back")
     assert f"{STOP.options[WRONG]} – *This was your answer.*" in words(voter.run())
     assert no_vote in words(late.run())
@@ -237,14 +237,14 @@ def test_nothing_that_reaches_a_student_holds_the_lecturers_key(lecturer):
         press(lecturer, name)
         seen.append(everything(student.run()))
     assert secret not in "".join(seen)
-    assert STOP.heading in seen[1]  # negative control: what a student does get is found
-    # What the lecturer shows on the projector holds it no more than that; it is in the lecturer's address alone.
+    assert STOP.heading in seen[1]  # negative control: a heading sent to students
+    # The lecturer's page may be on a projector, so only its address contains the key.
     assert secret not in everything(lecturer, with_address=False)
     assert secret in everything(lecturer)
 
 
 def everything(app: AppTest, with_address: bool = True) -> str:
-    """Return every message that a page was sent, as text, and its address."""
+    """Return every message to a page as text, followed by its address."""
     assert not app.exception
     elements = (element for block in (app.main, app.sidebar) for element in walked(block))
     sent = [str(element.proto) for element in elements if getattr(element, "proto", None) is not None]
@@ -292,7 +292,7 @@ def test_a_reload_of_another_page_loses_nobody(lecturer):
 
 
 def test_a_session_has_one_seat_and_a_network_its_turn(lecturer, school, monkeypatch):
-    """Also without a cookie; and who comes in a crowd waits on a page that joins by itself."""
+    """Check this without a cookie. In a crowd, a student waits on a page that joins automatically."""
     student = visitor(**{"class": code_of(lecturer)})
     for _ in range(3):
         press(student, "leave")
@@ -388,7 +388,7 @@ def test_an_earlier_stop_is_looked_at_alone_until_the_class_is_taken_along(lectu
 
 
 def test_the_desk_goes_back_view_by_view_and_the_class_with_it(lecturer, school):
-    """By the two keys of a clicker, which are there in every view; who goes back takes no vote again."""
+    """Use the two keys of a clicker, which work in every view. Going back opens no vote again."""
     student = visitor(**{"class": code_of(lecturer)})
 
     def keys() -> list[tuple[str, bool]]:
@@ -408,7 +408,7 @@ def test_the_desk_goes_back_view_by_view_and_the_class_with_it(lecturer, school)
     assert not student.radio
     press(lecturer, "reveal")
     assert student.run().get("progress")
-    # The desk alone looks at a stop to which nobody has come.
+    # The desk opens a stop that the class has not reached.
     lecturer.session_state["stop"] = [stop.id for stop in lesson.STOPS if stop.short][3]
     lecturer.run()
     assert keys() == [("pageup", False), ("pagedown", False)]
@@ -442,7 +442,7 @@ def test_at_the_end_a_class_sees_what_it_has_learned_and_its_code_goes(lecturer,
     assert not {"class"} & set(address(students[0]))
     press(lecturer, "back")
     assert path[-1].heading == wall.run().title[0].value
-    # Before a class is deleted, its votes are offered once more.
+    # Before a class is deleted, the page offers its votes again.
     ending = [each.proto.id for each in lecturer.get("download_button")]
     assert sum("class_csv" in each for each in ending) == 4
 
@@ -452,7 +452,7 @@ def class_seat(student: AppTest) -> classes.Seat:
 
 
 def test_a_class_at_a_stop_of_another_version_goes_on_with_the_lesson(lecturer, school):
-    """The desk is at the first stop, phone and wall are as before the first question, and the votes are not lost."""
+    """The desk shows the first stop. Phone and wall wait for the first question. The votes are preserved."""
     code, key = code_of(lecturer), address(lecturer)["lecturer"]
     school.ask(key, "stop-of-another-version", ["yes", "no"])
     school.vote(school.join(code), "stop-of-another-version", "no")

@@ -1,4 +1,4 @@
-"""Page 2 under AppTest: every route, shown either way, and what a student may type."""
+"""Page 2 under AppTest: every route in both views, and a student's input."""
 
 import json
 import re
@@ -25,7 +25,7 @@ TITLES = {name: ROUTES[name].title for name in ROUTES}
 
 @pytest.fixture
 def page(app):
-    """The page as it opens."""
+    """The page after its first run."""
     return sound(app.run().switch_page(PAGE).run())
 
 
@@ -46,7 +46,7 @@ def headings(app) -> list[str]:
 
 
 def formulas(app) -> str:
-    """Return the formulas of the page as a wide window shows them."""
+    """Return the formulas of the page in a wide window."""
     return "\n".join(block.value for block in displays(app))
 
 
@@ -62,7 +62,7 @@ def test_reading_shows_every_step_of_a_route_and_numbers_end_in_the_present_freq
     choose(page, route=name, show="reading")
     assert headings(page) == [f"## {n}. {step.heading}" for n, step in enumerate(ROUTES[name].steps, start=1)]
     symbols = [block.value for block in displays(page) if "s^{-2}" not in block.value]
-    # 37/20, 43/50 and 33.5 are what a person sees; the formula is the settled one, in exact fractions.
+    # The sliders show 1.85, 0.86 and 33.5. The expected frequency is computed in exact fractions.
     choose(page, m=1.85, m_prime=0.86, k=33.5)
     assert [block.value for block in displays(page) if "s^{-2}" not in block.value] == symbols
     choose(page, values="numbers")
@@ -95,7 +95,7 @@ def test_moving_a_slider_derives_nothing_again(page, monkeypatch):
     for name in ROUTES:
         choose(page, route=name, values="numbers", m=1.11, m_prime=2.22, k=44.0)
     choose(page, m=3.33)
-    # Negative control: deriving does meet the trap.
+    # Negative control: a derivation calls the replaced functions.
     with pytest.raises(AssertionError):
         energy.build(machine())
 
@@ -109,7 +109,7 @@ def test_all_routes_meet_in_one_result_and_each_has_a_tick_that_leads_to_it(page
     assert all(title in link.label for title, link in zip(TITLES.values(), links, strict=True))
 
 
-# Whose terms
+# The bodies' terms
 
 
 @pytest.mark.parametrize("name", ROUTES)
@@ -131,7 +131,7 @@ def test_what_belongs_to_a_part_has_its_ink_and_nothing_else(numbers):
         for number, step in enumerate(ROUTES[name].steps)
     }
     found = {place: re.findall(r"textcolor\{(.*?)\}", text) for place, text in shown.items()}
-    # A term for each energy of a body, in the order of the bodies, then the spring.
+    # The energies of the bodies in their order, followed by the energy of the spring.
     energies = [ink for part, ink in inks for _n in range(1 + (part in ("hoop", "cylinder", "top")))]
     in_order = [*energies[:-3], *energies[-2:], energies[-3]]
     assert found["euler_lagrange", "sum"] == in_order
@@ -140,7 +140,7 @@ def test_what_belongs_to_a_part_has_its_ink_and_nothing_else(numbers):
         if part not in ("spring", "top"):
             assert f"\\textcolor{{{ink}}}{{v_{{\\text{{{part}}}}}}}" in line
             assert len(set(re.findall(r"#\d+", line))) == 1
-    # On the block all others act; their forces keep their own inks.
+    # All other bodies act on the block. Each force has the colour of its body.
     assert set(found["newton", "forces"]) == {ink for part, ink in inks if part != "spring"}
     assert not found["euler_lagrange", "ratio"]
 
@@ -171,7 +171,7 @@ def test_each_line_names_the_operation_that_leads_to_it(page):
         assert rf"\vert\ {operation}" in shown, operation
     assert shown.count(r"\underline{") == 15
     marked = {name for name in ROUTES if any(map(any, (step.marks for step in ROUTES[name].steps)))}
-    # The matrix route has no line that adds, drops or moves a term of another.
+    # No line of the matrix route adds, removes or moves a term of an earlier line.
     assert marked == {*ROUTES} - {"matrix"}
     for way in (*(ROUTES[name] for name in ROUTES), ROUTES.with_equal_masses("euler_lagrange")):
         for step in way.steps:

@@ -1,4 +1,4 @@
-"""The page Lesson under AppTest: every stop before and after the prediction, every task, links, no answer too early."""
+"""The page Lesson under AppTest: stops before and after the prediction, tasks, links, and hidden answers."""
 
 import json
 import re
@@ -13,7 +13,7 @@ from ramanujan.shell.navigation import PAGES
 PAGE = "ramanujan/pages/lesson/page.py"
 IDS = [stop.id for stop in lesson.STOPS]
 CODE = {"jsContent", "htmlContent", "cssContent"}
-"""Of a component: the same on every page, whatever the machine."""
+"""Fields with a component's code, which is the same for every machine."""
 
 
 @pytest.fixture
@@ -21,7 +21,7 @@ def opened(app):
     """Open the page with an address: opened(stop="block")."""
 
     def visit(**address):
-        # An address is read when a page is opened: the visitor comes from the first page.
+        # A page reads its address when it opens, so the visit starts on the first page.
         app.switch_page("ramanujan/pages/oscillator/page.py").run()
         for key, text in address.items():
             app.query_params[key] = text
@@ -36,7 +36,7 @@ def sound(app):
 
 
 def walked(block):
-    """Every element of a block, however deep."""
+    """Yield every element of a block, at every depth."""
     for child in block.children.values():
         yield child
         if hasattr(child, "children"):
@@ -50,9 +50,9 @@ def without_code(told):
 
 
 def sent(app) -> str:
-    """All that the page gets of a run but the components' code: every message of it, as text."""
+    """Return all messages of a run as text, without the components' code."""
     elements = [each for block in (app.main, app.sidebar) for each in walked(block) if getattr(each, "proto", None)]
-    # The style of the app is no word of the lesson's.
+    # The app's style sheet is not a text of the lesson.
     messages = [without_code(MessageToDict(each.proto)) for each in elements]
     return "\n".join(
         json.dumps(each, ensure_ascii=False) for each in messages if not str(each.get("body", "")).startswith("<style>")
@@ -60,7 +60,7 @@ def sent(app) -> str:
 
 
 def fed(app) -> list[dict]:
-    """What the stages on the page are fed."""
+    """Return the payloads of the stages on the page."""
     messages = [
         json.loads(e.proto.json)
         for e in app.get("bidi_component")
@@ -82,7 +82,7 @@ def other_than(stop) -> str:
 
 
 def frequencies(stop) -> set[str]:
-    """What would tell how fast a machine of this stop is, in the digits in which the app writes it."""
+    """Return the texts of all numbers that reveal the frequency of a machine of this stop."""
     said = set()
     for machine in {stop.machine, stop.shown, *(run.machine for run in stop.runs)}:
         values = (
@@ -114,10 +114,10 @@ def test_nothing_of_the_answer_is_on_the_page_before_the_machine_runs_nor_the_an
     told = sentences(stop.explanation()) | {stop.onward.label, "Right answer", "prediction was"}
     giveaways = told | sentences(reply) | (set() if stop.exhibit or name == "other-body" else frequencies(stop))
     if name in ("by-hand", "exactly"):
-        # The options of the second one contain numbers close to it.
+        # The options of the stop "exactly" contain close numbers, so compare seven digits.
         giveaways.add(f"{UNIT_MASS_RATIO:.{3 if name == 'by-hand' else 7}g}")
     assert [text for text in giveaways if text in page] == []
-    # All options look alike: each is named once, as a button.
+    # All options look the same: each label occurs once, as a button.
     for option, label in stop.options.items():
         assert page.count(json.dumps(label, ensure_ascii=False)) == 1
         assert page.count(f'-option_{name}_{option}"') == 1
@@ -127,7 +127,7 @@ def test_nothing_of_the_answer_is_on_the_page_before_the_machine_runs_nor_the_an
     assert not any(each.question in page or sentences(each.explanation()) & sentences(page) for each in others)
     assert not [pills for pills in app.get("button_group") if "preset" in pills.proto.id]
 
-    # The reader has chosen, and may think again.
+    # After a choice the reader can still change it.
     choose(app, name, wrong)
     page = sent(app)
     assert [text for text in giveaways if text in page] == []
@@ -135,7 +135,7 @@ def test_nothing_of_the_answer_is_on_the_page_before_the_machine_runs_nor_the_an
         assert set(stop.hides) <= set(machine["hide"])
         assert not {"samples", "slipping"} & set(machine)
 
-    # The machine runs: whoever was wrong gets a word, not the answer.
+    # While the machine runs, a wrong choice gets a reply without the answer.
     page = sent(go_on(app, name))
     assert reply in page
     assert right not in reply
@@ -145,7 +145,7 @@ def test_nothing_of_the_answer_is_on_the_page_before_the_machine_runs_nor_the_an
     sound(app.button(key=f"again_{name}").click().run())
     assert [text for text in giveaways if text in sent(app)] == []
 
-    # Negative control: in the end all of it is there.
+    # Negative control: at the end the page contains all of these texts.
     go_on(go_on(choose(app, name, wrong), name), name)
     page = sent(app)
     assert all(
@@ -161,12 +161,12 @@ def test_nothing_of_the_answer_is_on_the_page_before_the_machine_runs_nor_the_an
 
 
 SLOW = 60.0
-"""A period [s] of a machine that is not seen to move."""
+"""A period [s] too long for a visible motion."""
 
 
 @pytest.mark.parametrize("name", IDS)
 def test_the_button_of_a_stop_says_what_is_then_seen(opened, name):
-    """Only a machine that stands still is started, and it is seen to move; every other button shows something new."""
+    """A button starts only a machine at rest, with a visible motion. Every other button shows new content."""
     stop = lesson.stop(name)
     app = choose(opened(stop=name), name, other_than(stop))
     label = app.button(key=f"on_{name}").label
@@ -252,11 +252,11 @@ def test_the_short_lesson_has_six_stops_and_an_end_that_says_what_was_answered(o
     assert len(app.get("page_link")) == 4
     sound(app.button(key="to_tasks").click().run())
     assert app.title[0].value == lesson.TASKS[0].heading
-    # A link to a stop that is not among the six opens it all the same.
+    # A link can also open a stop outside the six.
     assert opened(part="stops", stops="short", stop="contact").title[0].value == f"4. {lesson.stop('contact').heading}"
 
 
-# What the address holds
+# The parameters of the address
 
 
 def test_a_link_with_a_machine_keeps_it_and_a_visitor_from_another_page_gets_that_of_the_stop(app):
@@ -303,7 +303,7 @@ def test_tasks_are_done_with_the_controls_of_the_page(opened):
 
 def test_the_notes_cover_every_stop_and_name_their_sources(opened):
     app = opened(part="notes")
-    # A reader is told what they contain before they are shown.
+    # The page describes their contents before it shows them.
     assert "right answers" in app.toggle(key="notes_shown").label
     assert not any("Right answer" in text.value for text in app.markdown)
     sound(app.toggle(key="notes_shown").set_value(True).run())

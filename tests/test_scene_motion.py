@@ -1,4 +1,4 @@
-"""The motion page under AppTest, and its figures: what they say, how exactly they are drawn, what they hold on to."""
+"""The motion page under AppTest, and its figures: their texts, their precision, and their settings."""
 
 import json
 import re
@@ -30,12 +30,12 @@ def open_page(app, **state):
 
 
 def charts(app):
-    """The figures on the page, as the browser gets them, by their text alternative."""
+    """Return the figures on the page, as sent to the browser, by text alternative."""
     return {chart.proto.alt: json.loads(chart.proto.spec) for chart in app.get("plotly_chart")}
 
 
 def figures(view, m, m_prime, k, radius, *start, finer=1):
-    """The figures of a view as the browser gets them, from so many times as many points."""
+    """Return the figures of a view, as sent to the browser, with `finer` times as many points."""
     with mock.patch.object(cache, "POINTS", finer * (cache.POINTS - 1) + 1):
         motion = cache.record.__wrapped__(Oscillator(m, m_prime, k, radius), *start)
     colors = defaultdict(lambda: "#808080")
@@ -72,7 +72,7 @@ def test_the_stage_marks_the_slipping_contact_only_beyond_the_model(monkeypatch,
     for glide in (4.0, 0.0):
         app.slider(key="glide").set_value(glide).run()
         (seen,) = (alt for alt in charts(app) if alt.startswith("Displacements"))
-        # A spin moves the top cylinder alone.
+        # A spin moves only the top cylinder.
         assert ("The whole machine glides" in seen) == (glide > 0)
         assert "The top cylinder drifts" in seen
     app.slider(key="mu").set_value(1.0).run()
@@ -172,7 +172,7 @@ def test_friction_is_greatest_where_the_hoop_carries_least(compression, end):
 
 
 def test_the_pointer_reads_each_body_with_its_displacement_and_its_frame():
-    """Plotly adds the name of a curve with a space before the colon, unless the text ends its own way."""
+    """Plotly appends the name of a curve, with a space before the colon, unless the template replaces it."""
     figure, *_ = figures("displacements", *CORNERS[3])
     texts = [trace["hovertemplate"] for trace in figure["data"]]
     assert all(text.endswith("<extra></extra>") for text in texts)

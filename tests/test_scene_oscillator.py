@@ -22,7 +22,7 @@ KEYS = list(PARAMETERS)
 
 
 def sound(app):
-    """The page is whole: no exception, no error box, and its title stands."""
+    """Return the app after checks for a title, no exception and no error box."""
     assert not app.exception
     assert not app.error
     assert app.title[0].value
@@ -34,13 +34,13 @@ def values(app) -> dict[str, float]:
 
 
 def box(app, key: str) -> dict[str, object]:
-    """What the box of a slider is told: by the fragment that follows the machine, else by the sidebar."""
+    """Return the message to a slider's box, from the machine's fragment or else from the sidebar."""
     messages = (json.loads(e.proto.json) for e in app.get("bidi_component") if e.proto.id.endswith("_published"))
     return next(message[f"exact/{key}"] for message in messages if f"exact/{key}" in message)
 
 
 def type_in(app, key: str, text: str):
-    """Type into a box, as its callback hears of it, and run the app."""
+    """Pass a text to the callback of a box, and run the app."""
     app.session_state["wishes"].append(partial(take_exact, key, text))
     return app.run()
 
@@ -49,12 +49,12 @@ DEFAULTS = {key: parameter.default for key, parameter in PARAMETERS.items()}
 
 
 def lines(app) -> list[str]:
-    """The six steps as they are seen while they are folded."""
+    """Return the labels of the six steps, which are visible when folded."""
     return [each.label for each in app.expander if (each.key or "").startswith("summary_")]
 
 
 def steps(app):
-    """Open the six steps and return what they say then, each below its line."""
+    """Open the six steps and return their texts, each below its label."""
     for number in range(1, 7):
         app.session_state[f"summary_{number}"] = True
     app.run()
@@ -84,7 +84,7 @@ def test_six_steps_show_their_results_without_a_click_and_nothing_twice(app):
     written = re.findall(r"[^$]+ = [^$]+", "".join(folded))
     written += [line for display in re.findall(r"\$\$\n(.*?)\n\$\$", told) for line in equations(display)]
     assert len(written) == len(set(written)) > 30
-    # Numbers stand below a heading of their own, with the sentence that says whose they are.
+    # Numbers have a separate heading, and a sentence that names their machine.
     for opened in told.split("**")[2::2]:
         way, _heading, numbers = opened.partition("### Your machine")
         assert "The numbers are for" not in way
@@ -99,7 +99,7 @@ def test_the_page_says_in_words_whether_the_machine_is_in_step(app):
     said = app.run().get_by_key("your_machine").markdown[0].value
     squared = 8 * 37 * (7 * 2.3 + 6 * 5) / (32 * 2.3**2 + 49 * 2.3 * 5 + 18 * 5**2)
     omega, normalized = math.sqrt(squared), squared * 2.3 / 37
-    # No line breaks within a formula.
+    # A formula contains no line break.
     assert f"Ω²m/k\u00a0=\u00a0{normalized:.7f}, Ω\u00a0=\u00a0{omega:.4f}\u202frad/s, period" in said
     assert f"period {2 * math.pi / omega:.3f}\u202fs" in said
     assert f"loses one full turn in {1 / (1 - math.sqrt(normalized)):.2f} periods" in said
@@ -119,7 +119,7 @@ def test_every_slider_at_its_ends_and_between_its_steps(app):
 
 
 RATIOS = {"equal": 1.0, "unit": (math.sqrt(1729) - 1) / 36, "light": 0.1, "heavy": 5.0}
-"""Preset → mass ratio that its label promises; a new preset needs an entry."""
+"""Preset → mass ratio in its label. A new preset needs an entry."""
 
 
 @pytest.mark.parametrize("preset", PRESETS)
@@ -140,7 +140,7 @@ def test_presets_choose_round_values_in_range_and_their_ratio(app, preset):
             assert (now["m"], now["m_prime"]) == (m, UNIT_MASS_RATIO * m)
             machine = Oscillator(now["m"], now["m_prime"], now["k"])
             assert machine.normalized_frequency_squared == pytest.approx(1, rel=4e-16)
-            # The derivation knows the ratio exactly: it shows roots and 1729, no digits of a float.
+            # The derivation uses the exact ratio: it shows roots and 1729, no digits of a float.
             assert r"\sqrt{1729}" in steps(app)
             assert "1.127" not in steps(app)
 
@@ -159,7 +159,7 @@ def test_heavy_rollers_let_m_give_way_where_m_prime_cannot_grow(app):
 
 @pytest.mark.parametrize(("moved", "kept"), [(1.0, 0.1), (3.0, 3.0)])
 def test_a_message_that_is_older_than_a_preset_takes_nothing_back(app, moved, kept):
-    """It carries the old m′, unless somebody has moved that slider meanwhile."""
+    """The message contains the old m′, unless the user has moved that slider since."""
     app.run()
     app.pills(key="preset").set_value("light").run()
     heard = app.slider(key="update_seen").value
@@ -167,7 +167,7 @@ def test_a_message_that_is_older_than_a_preset_takes_nothing_back(app, moved, ke
     app.slider(key="m_prime").set_value(moved)
     app.slider(key="k").set_value(20.0).run()
     assert (values(app)["m_prime"], values(app)["k"]) == (kept, 20.0)
-    # Negative control: a message that knows of the preset is believed.
+    # Negative control: a message sent after the preset changes the value.
     app.slider(key="m_prime").set_value(moved).run()
     assert values(app)["m_prime"] == moved
 

@@ -1,4 +1,4 @@
-"""Page 5: what it says is what was measured, its work is done in pieces, and it can be left at any time."""
+"""Page 5: its texts agree with the measurements, and its work is divided into interruptible parts."""
 
 import json
 import math
@@ -35,7 +35,7 @@ PAGE = "ramanujan/pages/speed/page.py"
 
 
 def page(app: AppTest, **link: str) -> AppTest:
-    """Return page 5 as a link opens it."""
+    """Open page 5 by a link."""
     app.run()
     for key, value in {"periods": "1", **link}.items():
         app.query_params[key] = value
@@ -43,7 +43,7 @@ def page(app: AppTest, **link: str) -> AppTest:
 
 
 def words(app: AppTest) -> str:
-    """Return all that the page says."""
+    """Return all words of the page."""
     assert not app.exception
     return " ".join(element.value for kind in (app.markdown, app.caption, app.header) for element in kind)
 
@@ -101,13 +101,13 @@ def test_measures_shares_and_measures_again(app):
     assert f"**{METHODS[best.method].title}** in {best.dtype} with **{best.steps_per_period} steps" in said
     assert duration(best.seconds) in said
 
-    # A lower tolerance costs more, and the sentence follows.
+    # A lower tolerance costs more, and the sentence is updated.
     app.select_slider(key="tolerance").set_value("1e-6").run()
     finer = cheapest(curves, 1e-6)[0]
     assert finer.evaluations > best.evaluations
     assert f"with **{finer.steps_per_period} steps" in words(app)
 
-    # For another visitor, and for any other machine, nothing is measured again.
+    # Another visitor or another machine causes no new measurement.
     other = AppTest.from_file(str(app._script_path), default_timeout=60)
     page(other).slider(key="k").set_value(172.5).run()
     other.select_slider(key="tolerance").set_value("1e-3").run()
@@ -125,13 +125,13 @@ def test_measures_shares_and_measures_again(app):
 def test_measuring_shows_progress_and_can_be_stopped(app, monkeypatch):
     monkeypatch.setattr(costs, "_AT_ONCE", -1.0)
     taken = []
-    # Streamlit breaks the script off like this where a person interferes.
+    # Streamlit stops the script in this way when the user changes a setting.
     monkeypatch.setattr(cache, "parts_of_diagram", lambda periods: [partial(taken.append, periods), st.stop, st.stop])
     page(app).button(key="measure").click().run()
     assert taken == [1]
     [bar] = app.get("progress")
     assert (bar.proto.value, bar.proto.text) == (33, "Measuring 1 period on this server …")
-    # All else is on the page already.
+    # The rest of the page is already complete.
     assert "Extreme times: very many periods" in words(app)
     app.button(key="stop_measuring").click().run()
     assert not app.get("progress")
@@ -151,8 +151,8 @@ def test_a_method_whose_error_falls_faster_than_its_order_says_why(app):
     assert f"They divide it by {factor:.1f}." in words(app)
     # One step turns by arccos(1 − z²/2), z = hΩ, so its phase error is of order 2.
     assert "They divide that part by 4.0." in words(app)
-    # All other methods fall as their order says; in one period, so does this one.
-    assert words(app).count("has order") == 2  # the other one is said of the method that is shown
+    # The errors of all other methods agree with their order; in one period, this one's too.
+    assert words(app).count("has order") == 2  # the other sentence is about the selected method
     app.select_slider(key="periods").set_value(1).run()
     assert "twice as many steps" not in words(app)
 
@@ -162,13 +162,13 @@ def test_says_what_the_paper_form_returns_at_the_edge(app):
     s = 1e-200
     wrong = 8 * s / (7 * s + 8 * s - 8 * (s + s) ** 2 / (7 * s / 3 + 2 * s))
     right = 8 * (7 + 6) / (18 + 49 + 32)
-    assert abs(wrong - right) > 0.1  # the negative control: it is wrong, and plausible
+    assert abs(wrong - right) > 0.1  # negative control: a wrong but plausible value
     assert f"the paper’s form | s from {number(1e-300)} to " in words(app)
     assert f"| {number(wrong, 4)}: wrong" in words(app)
     assert "effective mass | nowhere" in words(app)
 
 
-# ---- what the stage plays
+# ---- the motion on the stage
 
 
 @pytest.mark.parametrize("method", METHODS)
@@ -206,7 +206,7 @@ def test_the_challenge_shows_the_methods_after_a_try_and_judges_as_the_lesson_do
     )
 
 
-# ---- what many visitors want at once
+# ---- simultaneous visitors
 
 
 def test_what_a_class_wants_at_once_is_worked_out_once_and_seconds_one_after_the_other(monkeypatch):
@@ -214,9 +214,9 @@ def test_what_a_class_wants_at_once_is_worked_out_once_and_seconds_one_after_the
 
     def work(*curve, previous, after_block):
         worked.append(curve)
-        with giving_way():  # another one, who is ready earlier
+        with giving_way():  # a second visitor, with less work
             pass
-        assert sys.getswitchinterval() < usual  # so that others are answered meanwhile
+        assert sys.getswitchinterval() < usual  # other sessions get turns
         time.sleep(0.05)
         return WorkPrecision(*curve, *[np.ones(1)] * 4)
 
@@ -243,7 +243,7 @@ def test_a_strip_says_where_its_form_is_right_and_what_it_returns_elsewhere(app)
     sweeps = [s for s in extremes() if (s.along, s.dtype) == ("scale", "float64")]
     strips = {FORMS[sweep.form].title: verdicts.strip(sweep) for sweep in sweeps}
     for sweep, parts in zip(sweeps, strips.values(), strict=True):
-        # A strip covers the whole range without a gap; at every sample it says what the sweep found.
+        # A strip covers the whole range without a gap, and agrees with the sweep at every sample.
         assert (parts[0].start, parts[-1].end) == pytest.approx((-300, 300))
         assert [part.start for part in parts[1:]] == [part.end for part in parts[:-1]]
         for x, verdict in zip(sweep.x, sweep.verdict, strict=True):
@@ -279,7 +279,7 @@ def test_a_number_under_the_pointer_is_written_as_in_a_sentence():
 
 @pytest.fixture(autouse=True)
 def fresh():
-    """Every test measures for itself."""
+    """Clear all cached measurements before and after each test."""
     cache.errors.clear()
     cache.forget_seconds()
     yield
@@ -288,7 +288,7 @@ def fresh():
 
 
 def test_float32_is_said_to_lose_the_phase_between_the_decades_where_it_does():
-    """For this machine it does at 3·10⁶ periods: looked for here between the decades, in float32 itself."""
+    """This machine loses the phase at 3·10⁶ periods. The test computes in float32 between the decades."""
     machine = Oscillator(k=10.0)
     omega, periods = machine.natural_frequency, 10.0 ** np.linspace(0, 9, 2001)
     times = machine.period * periods

@@ -1,4 +1,4 @@
-"""Page 4 under AppTest: what it says against brute force, mpmath and SymPy; its figures; bad input."""
+"""Page 4 under AppTest: its texts against brute force, mpmath and SymPy; its figures; bad input."""
 
 import re
 from collections import Counter
@@ -32,7 +32,7 @@ def words(page: AppTest) -> str:
 
 
 def opened(page: AppTest) -> AppTest:
-    """Open the fold of digits and fractions."""
+    """Open the expander with digits and fractions."""
     page.session_state["fold_digits"] = True
     return page.run()
 
@@ -61,7 +61,7 @@ def test_as_many_digits_as_asked_for(page: AppTest, digits: int) -> None:
     with mpmath.workdps(digits + 20):
         root = (mpmath.sqrt(smallest_in_two_ways()) - 1) / 36
         expected = mpmath.nstr(mpmath.floor(root * mpmath.mpf(10) ** digits) / mpmath.mpf(10) ** digits, digits + 1)
-    # mpmath leaves trailing zeros away.
+    # mpmath omits trailing zeros.
     assert page.code[0].value.rstrip("0") == expected
     assert len(page.code[0].value) == digits + 2
 
@@ -73,7 +73,7 @@ def test_each_practical_ratio_with_the_error_that_it_leaves(page: AppTest) -> No
     assert [row[:2] for row in rows][2:4] == [("9", "8"), ("62", "55")]
     for p, q, over, under, periods in rows:
         value = normalized_frequency_squared(int(p) / int(q))
-        # The float's own error, some ulp of 1.
+        # The rounding error of the float is a few ulp of 1.
         assert int(over) / int(under) == pytest.approx(value - 1, abs=1e-15)
         turns = int(periods.replace("\u202f", "")) * abs(value**0.5 - 1)
         # Periods are rounded to whole ones (1 in 40), and √ of the last row's value has lost digits (1e-9).
@@ -97,7 +97,7 @@ def test_other_bodies_reach_numbers_and_stage(
     assert ("is not a sum of two positive cubes" in text) == (not two_cubes(number))
     betas = [float(BODIES[body]) for body in bodies]
     assert sent[-1]["shape_factors"] == dict(zip(("hoop", "cylinder", "top"), betas, strict=True))
-    # Its own ratio makes it keep step, as the page itself says.
+    # With its own ratio the machine is in step, and the page states this.
     page.button(key="own_ratio").click().run()
     assert r"it has $\Omega^2m/k=1$" in words(page)
     page.button(key="paper_bodies").click().run()
@@ -116,7 +116,7 @@ def test_a_target_and_its_norm(page: AppTest, p: int, q: int) -> None:
     factor, _, number = right.rpartition(r"^2 \cdot ")
     assert x * x + 3 * y * y == int(factor or 1) ** 2 * int(number)
     assert f"The discriminant **{number}**" in words(page)
-    # The quadratic on the page has this discriminant, and its root gives the target back.
+    # The quadratic on the page has this discriminant, and its root reproduces the target.
     w = sp.Rational(p, q)
     epsilon = sp.Symbol("epsilon", positive=True)
     before = [formula.value for formula in page.latex][: [formula.value for formula in page.latex].index(shown[0])]
@@ -137,7 +137,7 @@ def test_norms_multiply_as_the_page_says(page: AppTest) -> None:
         plain = re.sub(r"(?<=[abcdxy\d)]) ?(?=[abcdxyI(](?!qrt))", "*", plain)
         left, right = (sp.sympify(side, names) for side in plain.split("="))
         assert sp.expand(left - right) == 0
-    # Each prime factor is the norm that stands beside it.
+    # Each prime factor is the norm in the same row.
     primes = re.findall(r"(\d+)=(\d+)\^2\+3\\cdot(\d+)\^2[,$]", words(page))
     assert sp.prod(int(prime) for prime, _, _ in primes) == smallest_in_two_ways()
     assert all(int(prime) == int(u) ** 2 + 3 * int(v) ** 2 for prime, u, v in primes)
@@ -170,7 +170,7 @@ def test_a_hoop_and_a_cylinder_are_enough_for_the_norm_whatever_is_on_top() -> N
         return {prime for number in numbers for prime, power in number.factorization if power % 2}
 
     assert all(prime == 3 or prime % 3 == 1 for prime in primes("hoop", "cylinder"))
-    # Negative control: another pair has other primes, too.
+    # Negative control: another pair has different primes.
     assert any(prime % 3 == 2 for prime in primes("hoop", "sphere"))
 
 
@@ -198,7 +198,7 @@ def test_the_figure_of_all_machines_lets_one_stand_out() -> None:
     table, numbers = go.Figure(grid.to_dict()).data
     assert np.sum(np.array(table.z) == 2) == 1
     assert np.sum(np.array(table.z) == 1) == 2
-    # A click returns the index of the point: it must be that of the machine.
+    # A click returns the index of the point, which must be the machine's.
     assert [int(re.sub("</?b>", "", text)) for text in numbers.text] == [machine.discriminant for machine in every]
     assert all(a.discriminant != b.discriminant for a, b in combinations(every, 2))
 

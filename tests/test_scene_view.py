@@ -1,4 +1,4 @@
-"""What a lecturer's link says of the view: parts that are hidden, the projector, the values that Reset returns to."""
+"""The view settings in a lecturer's link: hidden parts, projector, and the values that Reset restores."""
 
 import json
 from collections import Counter
@@ -25,21 +25,21 @@ def opened(app, **query):
 
 
 def sent(app) -> str:
-    """All that the server sends to the page: the text of every element, with what is published and the figures."""
+    """Return the text of all elements sent to the page, including published messages and figures."""
     return "\n".join(str(element.proto) for element in app.main) + "\n".join(
         str(element.proto) for element in app.sidebar
     )
 
 
 def published(app) -> dict[str, object]:
-    """What stages and boxes are told: topic → message; what a fragment says counts before what the sidebar has said."""
+    """Return topic → published message. A fragment's message replaces the sidebar's."""
     messages = [json.loads(each.proto.json) for each in app.get("bidi_component") if "_published" in each.proto.id]
     return {topic: told for message in reversed(messages) for topic, told in message.items()}
 
 
 def test_a_link_hides_parts_of_the_first_page(app):
     opened(app, **LINK, hide="numbers,curve,clocks")
-    # The steps stay, in symbols.
+    # The steps remain visible, in symbols.
     assert "varepsilon" in steps(app)
     assert published(app)["machine/oscillator"]["hide"] == ["clocks", "numbers"]
     assert not app.get("plotly_chart")
@@ -48,7 +48,7 @@ def test_a_link_hides_parts_of_the_first_page(app):
 
 
 def test_nothing_is_hidden_without_being_asked_for(app):
-    """Negative control: the same page has all of it."""
+    """Negative control: without `hide`, the same page contains all parts."""
     opened(app, **LINK)
     assert "hide" not in published(app)["machine/oscillator"]
     assert app.get("plotly_chart")
@@ -83,7 +83,7 @@ def test_reset_returns_to_what_the_link_set(app):
     app.pills(key="preset").set_value("reset").run()
     assert values(sound(app)) == linked
     assert "your link" in app.info[0].value
-    # Once more, and the app's own values are back; and so on.
+    # A second Reset restores the app's defaults, and a third the link's values.
     app.pills(key="preset").set_value("reset").run()
     assert values(sound(app)) == DEFAULTS
     app.pills(key="preset").set_value("reset").run()
@@ -98,7 +98,7 @@ def test_reset_does_not_return_to_what_the_link_got_wrong(app):
 
 
 def said(app) -> list[str]:
-    """All words, formulas and figures of the page."""
+    """Return all words, formulas and figures of the page."""
     figures = [str(each.proto) for each in app.get("plotly_chart")]
     return sorted([each.value for each in (*app.markdown, *app.latex)] + figures)
 
@@ -123,13 +123,13 @@ def test_a_slider_that_changes_nothing_but_the_machine_s_motion_is_folded_and_ke
     for key in folded or held:
         app.slider(key=key).set_value(held[key] + 1.0)
     sound(app.run())
-    # Where no slider is folded, the words or figures do change.
+    # If no slider is folded, the words or figures change.
     assert (said(app) == before) == bool(folded)
 
 
 @pytest.mark.parametrize("path", ["oscillator", "derivation", "motion", "taxicab", "speed"])
 def test_after_a_slider_a_page_says_what_its_address_says(app, path, monkeypatch):
-    """A test gets the whole page after every change; in a browser no part but those that are redrawn may change."""
+    """AppTest returns the whole page after every change. In a browser only the redrawn parts change."""
 
     def shown(app, **machine: str) -> AppTest:
         opened(app, **machine)
@@ -156,7 +156,7 @@ def test_after_a_slider_a_page_says_what_its_address_says(app, path, monkeypatch
 
 
 def test_a_sidebar_that_is_drawn_before_its_wishes_are_taken_fails_at_once():
-    """Also where nobody has asked for anything yet."""
+    """Check this without any pending wish."""
     script = "from ramanujan.shell import first_run, sidebar\nfirst_run.begin()\n{}\nsidebar.draw((), ())"
     assert AppTest.from_string(script.format(""), default_timeout=60).run().exception
     assert not AppTest.from_string(script.format("sidebar.begin([])"), default_timeout=60).run().exception

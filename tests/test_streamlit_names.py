@@ -1,4 +1,4 @@
-"""Every name of Streamlit's own that the app uses is known to Streamlit, and stands where upgrading.md says."""
+"""Every Streamlit name that the app uses exists in Streamlit, in the files that upgrading.md lists."""
 
 import re
 from dataclasses import fields

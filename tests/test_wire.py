@@ -15,9 +15,9 @@ PAGES = tuple(page.address for page in navigation.PAGES.values())
 
 @pytest.mark.parametrize("page", [*PAGES, *(f"motion?figure={figure}" for figure in VIEWS)])
 def test_a_page_caches_no_message_that_changes_and_drops_no_message_in_use(server: str, page: str) -> None:
-    """The cause: what a page forgets between its question and the answer can no longer be answered by its name.
+    """The server sends only the hash of a cached message, which fails if the page has dropped the message.
 
-    Wherever a slider is moved to, the motion page's figures come in 60 kB, even where the whole page is drawn anew.
+    After any move of a slider, the motion page receives at most 60 kB, even if the whole page is redrawn.
     """
 
     async def visit() -> None:

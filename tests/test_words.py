@@ -61,7 +61,7 @@ def name_of(call: ast.Call) -> str:
 
 
 def test_the_template_holds_every_message_and_each_is_a_literal():
-    """Extraction tools leave out what is no literal, and what stands in the braces of an f-string."""
+    """Extraction tools skip messages that are not literals, and the expressions of f-strings."""
     held = Counter(file for file, *_rest in extract_from_dir(PACKAGE, [("**.py", "python")], keywords=KEYWORDS))
     for path, tree in sources():
         found = list(calls(tree, *KEYWORDS))
@@ -124,7 +124,7 @@ def test_a_key_is_named_as_on_the_keyboards_of_the_country(language, keys):
 
 
 QUOTED = re.compile(r"[“„]([^“„”]+)[”“]")
-"""What stands in quotation marks, English, Hungarian and German."""
+"""Text in English, Hungarian or German quotation marks."""
 
 
 @pytest.mark.parametrize("language", COMPLETE)
@@ -258,7 +258,7 @@ IN_DIGITS = {
     "({n} points)": "marks on a worksheet",
     "{dtype}, {n} steps per period": "a point under the pointer",
 }
-"""Plural messages whose numbers remain digits, and what they are."""
+"""Plural messages whose numbers remain digits, with their use."""
 COUNTED = re.compile(
     r"\{([\w.]+)\} (?:other |full )?"
     r"(?:methods|precisions|ways|forms|zero modes|bodies|machines|terms|letters|pairs|hints)\b"

@@ -1,4 +1,4 @@
-"""The worksheet: its answers on an independent way, its picture, and the key that fits the questions."""
+"""The worksheet: its answers by an independent method, its picture, and its key."""
 
 import hashlib
 import os
@@ -32,7 +32,7 @@ MACHINES = [
 
 
 def value(text: str, name: str) -> mpmath.mpf:
-    """The number that an answer gives for a quantity, read off its LaTeX."""
+    """Return the value of a quantity, read from the LaTeX of an answer."""
     return number_of(re.search(rf"{re.escape(name)}=((?:[^$=\\]|\\(?!approx|,))+)", text)[1].strip())
 
 
@@ -69,7 +69,7 @@ def test_a_decimal_is_said_to_be_equal_only_where_it_is():
 
 @pytest.mark.parametrize(("m_prime", "verdict"), [(1.12725682701621, "Faster"), (1.1272568270162111, "Slower")])
 def test_the_key_tells_who_is_ahead_however_close_to_the_unit_ratio(m_prime, verdict):
-    """Here the float of Ω²m/k is 1, or may be; the machine is not in step for all that."""
+    """The float of Ω²m/k may round to 1, although the machine is not in step."""
     answer = questions(Oscillator(1.0, m_prime, 10.0), "1")[-2].answer
     assert answer.startswith(verdict)
     gap = float(18 * Fraction(repr(m_prime)) ** 2 + Fraction(repr(m_prime)) - 24)
@@ -81,7 +81,7 @@ def test_the_key_tells_who_is_ahead_however_close_to_the_unit_ratio(m_prime, ver
 
 
 def test_on_paper_a_question_needs_no_other():
-    """A sheet takes four of the stops; what one before it has set is not there."""
+    """A sheet contains four stops, so no question may refer to an earlier stop."""
     for stop in lesson.STOPS:
         assert not re.search(r"\b(again|so far|as before|earlier)\b|^Now\b", stop.question, re.IGNORECASE), stop.id
 
@@ -105,7 +105,7 @@ TELLS = {
 
 
 def test_no_question_answers_another():
-    """On three hundred sheets, the sentences and options of all questions included."""
+    """Check the sentences and options of all questions on three hundred sheets."""
     stops = {stop.question: stop.id for stop in lesson.STOPS}
     for seed in range(300):
         asked = questions(Oscillator(), str(seed))
@@ -124,11 +124,11 @@ def test_the_derivation_leads_less_from_level_to_level_and_its_key_is_whole():
         whole = a.answer.count("$$") // 2
         assert a.blanks.count("ldots") == 1 <= b.blanks.count("ldots") == whole
         assert not c.blanks
-        # What is blank is not there.
+        # The text does not contain the equation that the student must fill in.
         last = a.answer.rsplit("$$", 2)[1]
         assert last not in a.text + a.blanks
         assert last not in b.text + b.blanks
-    # A longer answer has more lines, and earns more points.
+    # A longer answer gets more lines and more points.
     for question in none[:steps]:
         assert 0 <= question.space - len(question.answer) / 90 <= 2
     for question in none:
@@ -136,7 +136,7 @@ def test_the_derivation_leads_less_from_level_to_level_and_its_key_is_whole():
     assert sum(question.space for question in few) < sum(question.space for question in many)
     for sheet in (few, many, none):
         assert "$U$ as a function of the compression $x$ first, then of $\\varphi$" in sheet[2].text
-    # The last step ends in Ω², here for masses that no step has seen.
+    # The last step ends in Ω². Evaluate it for masses that occur in no step.
     m, m_prime, k = 1.3, 0.7, 21.0
     right = few[steps - 1].answer.rsplit("=", 1)[1].removesuffix("}$$")
     assert float(number_of(right, **{"m'": m_prime, "m": m, "k": k})) == pytest.approx(
@@ -169,7 +169,7 @@ def test_points_and_lines_are_the_same_in_every_language_and_for_every_machine()
 
 
 def number_of(latex: str, **values: float) -> mpmath.mpf:
-    """The value of an expression in LaTeX, without its unit."""
+    """Return the value of an expression in LaTeX, without its unit."""
     plain = re.sub(r"\\[,;]\\mathrm\{.*\}$", "", latex).replace(r"\pi", r"\,\pi")
     return Formula(plain).value({r"\pi": mpmath.pi, **values})
 
@@ -201,7 +201,7 @@ def test_the_letters_of_the_key_name_the_right_options():
                 assert f"{letter}. {stop.options[stop.answer()]}" in question.options
                 assert len(question.options) == len(stop.options)
                 seen.add((stop.id, letter))
-    # The seed shuffles: a stop's right option has no letter of its own.
+    # The seed shuffles the options, so the letter of a right option varies.
     assert len(seen) > 1.5 * len({name for name, _ in seen})
 
 
@@ -213,7 +213,7 @@ def test_a_seed_gives_one_sheet_and_another_seed_another():
 
 @pytest.mark.parametrize("radius", [0.05, 0.1, 0.2])
 def test_the_picture_is_to_scale(radius):
-    """A roller's diameter and the way of the slab into the spring are those of the machine."""
+    """Compare a roller's diameter and the compression of the spring with the machine."""
     root = ET.fromstring(machine_svg(Oscillator(radius=radius), 0.08, theme.on_paper()))
     paths = {each.get("data-body"): each.get("d") for each in root.iter("{http://www.w3.org/2000/svg}path")}
     assert {"block", "hoop", "cylinder", "slab", "top"} <= paths.keys()
@@ -226,12 +226,12 @@ def test_the_picture_is_to_scale(radius):
 
 
 def key_of(number: int) -> str:
-    """Some key, one for each number."""
+    """Return a key for this number."""
     return f"{number:016x}"
 
 
 def name_of(number: int) -> str:
-    """The name of the sheet to which that key belongs."""
+    """Return the name of the sheet with the key for this number."""
     return worksheet_keys.name(key_of(number))
 
 
@@ -256,7 +256,7 @@ def test_questions_show_no_answer_and_the_key_shows_all():
         assert question.answer not in blank
         assert all(line in key for line in question.working)
     assert "mass ratio is $\\varepsilon=m'/m$" in blank
-    # Only its own key leads to a sheet's answers.
+    # Only the key of a sheet opens its answers.
     typed = f" {name_of(6)[:5].lower()}-{name_of(6)[5:]}"
     other = app.text_input(key="worksheet_name").set_value(typed).run()
     assert other.query_params["seed"] == name_of(6)
@@ -287,7 +287,7 @@ def test_what_is_no_name_of_a_sheet_gets_a_sentence_and_the_old_sheet_stays():
 
 
 def test_a_name_leads_to_no_key():
-    """Names are spread over at least 40 bits, and a key is hashed slowly: scrypt fills 16 MB for each."""
+    """Names have at least 40 bits, and the hash is slow: scrypt uses 16 MB for each key."""
     names = {name_of(number) for number in range(12)}
     assert len(names) == 12
     assert len(worksheet_keys.ALPHABET) ** len(names.pop()) > 2**40

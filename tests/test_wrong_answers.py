@@ -1,8 +1,8 @@
-"""Thousands of wrong answers, one coefficient or sign spoiled in each: what the judge says about them has to be true.
+"""Thousands of wrong answers, each with one spoiled coefficient or sign: every sentence of a verdict must be true.
 
-Every sentence of a verdict is read back and tested against the spoiled formula, at random points in fractions; a hint
-at an altered machine is followed by another way than the judge's: Ω² is the stiffness times an entry of M⁻¹. The suite
-takes a small seeded sample; RAMANUJAN_DEEP=1 takes 5,000 answers to each question.
+The tests parse each sentence and compare it with the spoiled formula, at random points in fractions. They check a hint
+at an altered machine by an independent method: Ω² is the stiffness times an entry of M⁻¹. The suite uses a small
+seeded sample. RAMANUJAN_DEEP=1 uses 5,000 answers to each question.
 """
 
 import os
@@ -35,7 +35,7 @@ SHOWN |= dict(zip(ACCELERATIONS, ("X″", "φ″", "Φ″", "ε"), strict=True))
 
 
 def by_hand(name: str) -> sp.Expr:
-    """The answer that test_answers has by hand, from the drawing of the machine; of an equation what is zero."""
+    """Return the answer that test_answers derives by hand, or the difference of both sides of an equation."""
     read = parse(zero_on_the_right(RIGHT[name][0])).doit()
     return read.xreplace({SPELLINGS[text]: symbol for symbol, text in TYPED.items()})
 
@@ -47,7 +47,7 @@ QUOTIENTS = {
     "natural_frequency_squared": (56 * k * m + 48 * k * mp, 32 * m**2 + 49 * m * mp + 18 * mp**2),
 }
 EQUATIONS = {name: by_hand(name) for name in test_answers.EQUATIONS}
-"""Each is zero."""
+"""Expressions that vanish."""
 ENERGIES = {name: by_hand(name) for name in RIGHT if name not in {*QUOTIENTS, *EQUATIONS, RATIO}}
 ENERGIES["phi_equation"] = sp.expand(ENERGIES["phi_equation"])
 FACTORS = [2, half, 3, sp.Rational(1, 3), sp.Rational(3, 2), sp.Rational(7, 5), 4, quarter, 10, sp.Rational(8, 7)]
@@ -55,7 +55,7 @@ FACTORS = [2, half, 3, sp.Rational(1, 3), sp.Rational(3, 2), sp.Rational(7, 5), 
 
 @cache
 def shown(monomial: sp.Expr) -> str:
-    """A product of names as a sentence shows it."""
+    """Return a product of names in the spelling of a verdict."""
     powers = monomial.as_powers_dict()
     return "".join(SHOWN[s] + {1: "", 2: "²", 3: "³"}[powers[s]] for s in SHOWN if s in powers)
 
@@ -66,7 +66,7 @@ def text_of(expression: sp.Expr) -> str:
 
 
 def spoiled_text(whole: sp.Expr, term: sp.Expr, ratio: sp.Expr, source: random.Random) -> str:
-    """The text of a sum of which one term is multiplied by a ratio: written out, or with a correction at its end."""
+    """Return the text of a sum with one term multiplied by a ratio, either directly or by a correction at the end."""
     if source.randrange(2):
         return f"{text_of(whole)} + ({text_of((ratio - 1) * term)})"
     terms = [text_of(each) for each in (ratio * term, *sp.Add.make_args(sp.expand(whole - term)))]
@@ -75,7 +75,7 @@ def spoiled_text(whole: sp.Expr, term: sp.Expr, ratio: sp.Expr, source: random.R
 
 
 def typed(text: str, source: random.Random) -> str:
-    """A text in one of several spellings."""
+    """Return a text in a random spelling."""
     return source.choice([text, text.replace("**", "^"), text.replace("*", "·").replace("··", "^")])
 
 
@@ -90,7 +90,7 @@ def value(expression: sp.Expr, point: dict[str, Fraction]) -> Fraction:
     return Fraction(int(result.p), int(result.q))
 
 
-# What is said, read back
+# The sentences of a verdict
 
 
 @lru_cache(maxsize=4096)
@@ -105,7 +105,7 @@ def factor_of(text: str) -> sp.Expr:
 
 
 def true_hint(name: str, message: str, given: sp.Expr) -> bool:
-    """Whether a formula is the one that a hint at a mistake speaks of."""
+    """Return whether a formula is the one that a hint describes."""
     also_half = message.endswith(" A factor ½ is missing as well.")
     for point in points():
         expected = _from_hint(name, message, point)
@@ -120,7 +120,7 @@ def _from_hint(name: str, message: str, point: dict[str, Fraction]) -> Fraction 
     of_spring = is_spring and _from_hint("potential_energy", message, point)
     if of_spring:
         return value(right + ENERGIES["potential_energy"], point) - of_spring
-    # What one spoiled coefficient can lead to; test_answers has an example of every other hint.
+    # Hints that one spoiled coefficient can cause. test_answers has examples of all others.
     of_formula = {
         "add the potential energy": lambda: right + 2 * ENERGIES["potential_energy"],
         "This is the kinetic energy alone": lambda: right + ENERGIES["potential_energy"],
@@ -157,7 +157,7 @@ SPELLED = dict(zip((*model.VELOCITIES, model.m, model.m_prime, model.k, model.R,
 
 
 def by_the_inverse_matrix(machine: model.Machine, at_point: dict) -> dict[str, sp.Expr]:
-    """What is left of a machine's equations of motion: M⁻¹e_φ is the shape of the oscillating mode."""
+    """Return the remainders of a machine's equations of motion. M⁻¹e_φ is the shape of the oscillating mode."""
     M = sp.hessian(machine.kinetic_energy, model.VELOCITIES).subs(at_point)
     stiffness = machine.potential_energy.diff(model.phi, 2).subs(at_point)
     if not any(M[2, :]):
@@ -179,13 +179,13 @@ def _rotation(name: str) -> sp.Expr:
 
 
 def true_difference(message: str, term: str, ratio: sp.Expr, right_coefficient: sp.Expr) -> bool:
-    """Whether a verdict names a term and says rightly how its coefficient, ratio times the right one, differs."""
+    """Return whether a verdict names a term and describes its error correctly. Its coefficient is off by `ratio`."""
     place = r"(?: in the (?:numerator|denominator))?"
     of_term = rf"Your coefficient of {re.escape(term)}{place}"
     if ratio.has(sp.sqrt(2)):
         return message.startswith("Your answer contains a root. The right one has none.")
     if ratio == 0:
-        # A correction at the end of the answer cancels the term that is written before it.
+        # A correction at the end of the answer cancels an earlier term.
         named = rf"with {re.escape(term)}{place}"
         return bool(re.search(rf"The term {named} is missing\.|In your answer the terms {named} cancel\.", message))
     sign = "negative" if right_coefficient.could_extract_minus_sign() else "positive"
@@ -206,7 +206,7 @@ def true_difference(message: str, term: str, ratio: sp.Expr, right_coefficient: 
 
 
 def true_one_term(message: str, given: sp.Expr, above: sp.Expr, below: sp.Expr) -> bool:
-    """Whether a fraction, written with the right numerator or denominator, differs in the one term that is named."""
+    """Return whether a fraction with a right numerator or denominator differs only in the named term."""
     for place, yours, right in (("numerator", given * below, above), ("denominator", above / given, below)):
         other = {"numerator": "denominator", "denominator": "numerator"}[place]
         if f"Written with the right {other}, your answer differs in one term." not in message:
@@ -218,7 +218,7 @@ def true_one_term(message: str, given: sp.Expr, above: sp.Expr, below: sp.Expr) 
 
 
 def true_multiple(message: str, ratio: sp.Expr) -> bool:
-    """Whether a verdict says rightly how many times the right answer the given one is."""
+    """Return whether a verdict states the correct ratio of the given answer to the right one."""
     if found := re.search(r"Your answer is (.+?) the right one\.", message):
         return factor_of(found[1]) / ratio == 1
     if found := re.search(r"Your answer has the wrong sign\. Its size is (.+?) the right one\.", message):
@@ -345,7 +345,7 @@ def test_a_spoiled_fraction_is_told_where(name: str) -> None:
             continue
         if true_one_term(verdict.message, given, above, below):
             continue
-        # The spoiled fraction cancels to a simpler one, and is right for special masses only, or for none.
+        # The spoiled fraction cancels to a simpler one. It is right for special masses at most.
         assert sp.fraction(sp.cancel(given))[1].as_poly(m, mp).total_degree() < below.as_poly(m, mp).total_degree() or (
             sp.fraction(sp.cancel(given))[0].as_poly(m, mp).total_degree() < above.as_poly(m, mp).total_degree()
         ), (given, verdict.message)
@@ -376,7 +376,7 @@ BY_QUADRATIC = {
 
 
 def same(left: sp.Expr, right: sp.Expr) -> bool:
-    """Whether two numbers agree to 40 digits."""
+    """Return whether two numbers agree to 40 digits."""
     return bool(abs((left - right).n(60)) < sp.Float(10, 60) ** -40)
 
 
@@ -431,7 +431,7 @@ def _true_of_number(message: str, given: sp.Expr) -> bool:
 
 
 def hinted_ratio(message: str, given: sp.Expr) -> bool:
-    """Whether the machine of a hint has Ω² = k/m at the given mass ratio, to 12 digits."""
+    """Return whether the machine of a hint has Ω² = k/m at the given mass ratio, to 12 digits."""
     if message not in HINTED:
         return False
     point = dict.fromkeys(SPELLED, sp.Integer(1)) | {model.m_prime: sp.Rational(str(given.n(30)))}
@@ -439,7 +439,7 @@ def hinted_ratio(message: str, given: sp.Expr) -> bool:
 
 
 def test_a_false_sentence_would_be_found() -> None:
-    """Negative control: the checks above refuse sentences that are nearly true."""
+    """Negative control: the checks reject sentences that are nearly true."""
     said = "Your coefficient of X′φ′ is twice the right one."
     right = -mp * R
     assert true_difference(said, "X′φ′", sp.Integer(2), right)

@@ -42,7 +42,7 @@ class CoursePage:
         self._thread.join()
 
     async def _run(self) -> None:
-        """Listen until the end of the block; then asyncio cancels what is still connected."""
+        """Listen until the end of the block. Then asyncio cancels the open connections."""
         self._loop, self._end = asyncio.get_running_loop(), asyncio.Event()
         course, app = [
             await asyncio.start_server(serve, "127.0.0.1", 0, ssl=self._context)
@@ -71,7 +71,7 @@ class CoursePage:
 
 
 async def _relay(reader: asyncio.StreamReader, writer: asyncio.StreamWriter) -> None:
-    """Pass on what is read until the connection ends, and end the other one."""
+    """Forward data until the connection ends, then close the other one."""
     with contextlib.suppress(OSError):
         while piece := await reader.read(_PIECE):
             writer.write(piece)

@@ -12,7 +12,7 @@ machine. The clients run on the same machine.
 
 --processes    run the app behind the proxy, as in .deploy
 --measuring    number of additional sessions that repeat the measurement of the speed page; its durations are printed
---looking      number of additional sessions that open all pages once, of which nothing is cached
+--looking      number of additional sessions that open all pages once, without cached results
 --voting       number of phones that vote once; the delays until the wall counts the votes are printed
 --browsers     number of these pages in real browsers: the wall and phones
 """
