@@ -1,1 +1,1 @@
-"""The pages, a folder each: `page.py` draws it where Streamlit runs it, `cache.py` keeps what it computes."""
+"""The pages. Each has a folder: `page.py` is its Streamlit script, and `cache.py` contains its cached functions."""

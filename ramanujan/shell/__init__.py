@@ -1,1 +1,1 @@
-"""What all pages share: navigation, sidebar, address, messages, theme, display mode, class session, server."""
+"""Modules that all pages share: navigation, sidebar, address, messages, theme, display mode, class session, server."""

@@ -106,7 +106,7 @@ class Choice(URLParameter):
     ----------
     name : name of the URL parameter
     options : ids or numbers, as in the session state and in the address; or a mapping from these to labels
-    default : the option for an address without this parameter; None if there is none
+    default : value for an address without this parameter, or None
     """
 
     name: str
@@ -131,7 +131,7 @@ class Choice(URLParameter):
 
 @dataclass(frozen=True)
 class Several(Choice):
-    """Any number of options in any order, with commas between them."""
+    """Any number of options in any order, separated by commas."""
 
     default: tuple[str, ...] = ()
     refused = _(
@@ -198,7 +198,7 @@ def read_once(page: str, parameters: Sequence[URLParameter]) -> list[str]:
 
 
 def held(parameter: URLParameter) -> Any:
-    """Return the value of a URL parameter that Streamlit does not bind, or its default if there is none."""
+    """Return the value of a URL parameter that Streamlit does not bind, or its default value."""
     value = st.session_state.get(parameter.name)
     return parameter.default if value is None else value
 
@@ -242,7 +242,7 @@ def link_for_others(query: Mapping[str, str], path: str | None = None) -> SplitR
 
 
 def is_for_this_computer_alone() -> bool:
-    """Return whether there is no known URL with which other computers can open this page."""
+    """Return whether no known URL opens this page on other computers."""
     return link_for_others({}).hostname in _THIS_COMPUTER
 
 

@@ -217,7 +217,7 @@ def tell_seen(stop: Stop, seen: dict[str, Any]) -> None:
 
 
 def follow(code: str) -> None:
-    """Publish the desk's last view to the stage of this screen, a wall or another desk. It then runs by itself."""
+    """Publish the desk's last view to the stage of this screen, a wall or another desk."""
     text, ago = shared().view(code)
     if text is None:
         return

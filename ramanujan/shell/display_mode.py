@@ -43,7 +43,7 @@ def is_projector() -> bool:
 def slide(name: str, title: str) -> AbstractContextManager:
     """Return a context manager for a slide of the projector view. In the normal view it has no effect.
 
-    Elements outside of all slides are shown beside each slide.
+    Elements outside of all slides are shown on each slide.
 
     Parameters
     ----------

@@ -1,4 +1,4 @@
-"""How figures are put on a page, and still drawings for paper."""
+"""Figures for pages, and still drawings for paper."""
 
 from base64 import b64encode
 from typing import Any
@@ -11,10 +11,10 @@ from ramanujan.shell import display_mode
 from ramanujan.translation import LANGUAGE, _
 
 STILL = {"displaylogo": False, "modeBarButtons": [["toImage"]], "scrollZoom": False}
-"""Plotly's options for a figure that is only looked at, clicked and saved."""
+"""Plotly's options for a figure with a download button as its only button, and without scroll zoom."""
 
 
-# Plotly's own words that a figure can show: its buttons, and the notes about a saved file and a zoom.
+# Plotly's own texts in a figure: its buttons, and the notes about a saved file and a zoom.
 _PLOTLY_WORDS = {
     "Download plot": _("Save the figure"),
     "Autoscale": _("Show everything"),
@@ -31,14 +31,14 @@ _LOCALE = {"locale": LANGUAGE, "locales": {LANGUAGE: {"dictionary": _PLOTLY_WORD
 
 
 def plot(figure: BaseFigure, key: str, alt: str, *, config: dict[str, Any] = STILL, **options: Any) -> None:
-    """Put a figure on the page, which can be saved as SVG or PNG; it grows with the screen (type.css).
+    """Draw a figure, which can be saved as SVG or PNG and grows with the screen (type.css).
 
     Parameters
     ----------
-    figure : of Plotly's
-    key : of the element
+    figure : Plotly figure
+    key : key of the element
     alt : its text alternative
-    config, options : of Plotly and of `st.plotly_chart`
+    config, options : arguments of Plotly and of `st.plotly_chart`
     """
     height = "content"
     if display_mode.is_projector():
@@ -48,14 +48,14 @@ def plot(figure: BaseFigure, key: str, alt: str, *, config: dict[str, Any] = STI
 
 
 def draw(svg: str, *, alt: str, style: str) -> None:
-    """Put an SVG on the page as an image, which no style of the page reaches.
+    """Draw an SVG as an image, so that no style of the page applies to it.
 
     Parameters
     ----------
     svg : the drawing
-    alt : its text alternative; empty where something else on the page says it
-    style : rules for its place and size
+    alt : its text alternative; empty if another element of the page contains it
+    style : CSS rules for its position and size
     """
     source = f"data:image/svg+xml;base64,{b64encode(svg.encode()).decode()}"
-    style = f"object-fit:contain;{style}"  # Streamlit only scales images down, and WebKit takes an SVG for a small one
+    style = f"object-fit:contain;{style}"  # Streamlit only scales down; WebKit assumes a small size
     st.markdown(f'<img alt="{alt}" src="{source}" style="{style}">', unsafe_allow_html=True)

@@ -17,14 +17,14 @@ _ONLY_MACHINE = "only_machine"
 def begin() -> bool:
     """Mount the services of the page, and return whether this run draws only the machine."""
     is_first = _ONLY_MACHINE not in st.session_state and navigation.is_first_page()
-    # Without a browser no machine moves, and the slides of a projector must all be present from the start.
+    # Without a browser no machine moves, and the projector view needs all slides from the start.
     can_wait = is_first and display_mode.in_browser() and st.query_params.get("view") != "projector"
-    # After a restart of the server the machine of an open page moves already.
+    # After a restart of the server, the machine of an open page is already moving.
     moves = components.mount_services(theme.current(), waits=can_wait, on_moving=messages.stay)
     st.session_state[_ONLY_MACHINE] = can_wait and not moves
     return only_machine()
 
 
 def only_machine() -> bool:
-    """Tell whether this run draws only the machine."""
+    """Return whether this run draws only the machine."""
     return st.session_state[_ONLY_MACHINE]

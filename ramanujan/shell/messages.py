@@ -1,4 +1,4 @@
-"""Messages about a person’s input: problems of the address on the page, all others at the box of a slider."""
+"""Messages about a visitor’s input: problems of the address on the page, all others at the box of a slider."""
 
 import streamlit as st
 
@@ -10,7 +10,7 @@ _ABOUT_ADDRESS = "messages_address"
 _NOTES = "messages_notes"
 """Session state: key of a parameter → the message at its box in the next run, and whether it is a warning."""
 _SHOWN = "messages_shown"
-"""Session state: the notes that the present run shows."""
+"""Session state: the notes that the current run shows."""
 _STAY = "messages_stay"
 """Session state: whether the next run repeats the messages of this one."""
 
@@ -35,7 +35,7 @@ def warn(sentence: str) -> None:
 
 
 def note(key: str, sentence: str, warning: bool = False) -> None:
-    """Show a sentence at the box of a parameter; if the box is drawn already, in the next run."""
+    """Show a sentence at the box of a parameter, or in the next run if the box is already drawn."""
     st.session_state[_NOTES] = {**st.session_state.get(_NOTES, {}), key: (sentence, warning)}
 
 
@@ -47,12 +47,12 @@ def show_note(key: str) -> None:
 
 
 def are_shown() -> bool:
-    """Tell whether the page shows a message that the next run would remove."""
+    """Return whether the page shows a message that would disappear in the next run."""
     return bool(st.session_state.get(_ABOUT_ADDRESS) or st.session_state.get(_SHOWN))
 
 
 def stay() -> None:
-    """Keep the messages during the next run, because no action of a person starts it."""
+    """Keep the messages during the next run, because it does not follow an action of the visitor."""
     st.session_state[_STAY] = True
 
 
@@ -63,6 +63,6 @@ def run_again() -> None:
 
 
 def show_how_much_is_translated() -> None:
-    """Draw one line about the English rest of a page, unless its language is complete."""
+    """Draw one line about the untranslated part of a page, unless its language is complete."""
     if TRANSLATED < 100 and LANGUAGE not in COMPLETE:
         st.caption(_("{percentage} % of this app is translated. The rest is in English.").format(percentage=TRANSLATED))

@@ -1,7 +1,7 @@
 """The files of the page, compressed once when the server starts: Streamlit's scripts, our modules, the start page.
 
-Streamlit leaves compression to a proxy, and a laptop in a classroom has none: a first visit would load 8 MB instead of
-2.5 MB. All files together take less than a second to compress, so every visitor is answered from memory.
+Streamlit leaves compression to a proxy. On a laptop without one, a first visit would load 8 MB instead of 2.5 MB.
+Compression of all files takes less than a second, so every response comes from memory.
 """
 
 import gzip
@@ -20,7 +20,7 @@ _STREAMLIT = Path(st.__file__).parent / "static"
 _TYPES = {".js": "text/javascript", ".css": "text/css", ".svg": "image/svg+xml", ".woff2": "font/woff2"}
 _IMMUTABLE = {"cache-control": "public, immutable, max-age=31536000"}
 _STREAMLIT_PATHS = {"_stcore", "media", "component", "static", "app", "auth", "oauth2callback"}
-"""Parts of addresses that are not pages."""
+"""Parts of addresses that do not belong to pages."""
 
 
 class _File(NamedTuple):
@@ -31,7 +31,7 @@ class _File(NamedTuple):
 
 
 _MISSING = _File(b"", b"", {"content-type": "text/plain"}, 404)
-"""The answer to a module of another version of the app, for which Streamlit would send a page."""
+"""The response for a module of another version of the app. Streamlit would send a page instead."""
 
 
 class PageFiles:
@@ -46,7 +46,7 @@ class PageFiles:
         self.root = f"/{base}" if base else ""
         self.files = _streamlit_files() | _module_files() | {STANDALONE_FILE: _standalone()}
         self.page = _page(has_formulas=True)
-        # A lesson begins with words, and a whole class loads it over one network.
+        # The lesson starts without formulas, and a whole class loads it over one network.
         self.lesson = _page(has_formulas=False)
 
     async def __call__(self, scope: dict[str, Any], receive: Any, send: Any) -> None:
@@ -62,7 +62,7 @@ class PageFiles:
         await answer(scope, receive, send)
 
     def _file(self, scope: dict[str, Any]) -> _File | None:
-        """Return the file at the address of a request, or None if Streamlit has to answer."""
+        """Return the file at the address of a request, or None for a request to Streamlit."""
         path = scope["path"].removeprefix(self.root).strip("/")
         if scope["method"] not in {"GET", "HEAD"} or path in self.files:
             return self.files.get(path)
@@ -77,7 +77,7 @@ class PageFiles:
 def _streamlit_files() -> dict[str, _File]:
     """Return address → file for Streamlit's scripts and styles; their names contain a hash of their content.
 
-    A page draws few of Streamlit's four thousand icons, so it gets a font with these alone (tests/fonts.py).
+    The page uses few of Streamlit's four thousand icons, so the font contains only these (tests/fonts.py).
     """
     files = {}
     for path in (_STREAMLIT / "static").rglob("*"):
@@ -109,7 +109,7 @@ def _compressed(content: bytes, kind: str, headers: dict[str, str]) -> _File:
 
 
 def _page(*, has_formulas: bool) -> _File:
-    """Return the start page; a browser requests it with every visit, since the answer brings the visitor's cookie."""
+    """Return the start page. A browser requests it at every visit, because the response sets the visitor's cookie."""
     html = start_page.html(has_formulas=has_formulas)
     policy = start_page.content_security_policy()
     headers = {"cache-control": "no-cache", "content-security-policy": policy, "referrer-policy": "no-referrer"}

@@ -1,14 +1,14 @@
-"""Values that the app sets itself: a preset, an exact entry, a click on the curve, the machine of a stop.
+"""Values of widgets that the app sets: a preset, an exact entry, a click on the curve, the machine of a stop.
 
-A message of the page carries what all widgets held when it was written. If the page had not yet heard of a value that
-the app has set, its message still carries the old one, and would take the new one back. This is the one protocol
-against that, for every widget:
+Each message from the page contains the values of all widgets at the time it was sent. If the page has not yet received
+a value that the app set, its message contains the old value and would restore it. This protocol prevents that for
+every widget:
 
 1. Each update has a number, and a hidden slider is set to the number of the last one.
-2. Streamlit's page puts into its widgets what the server sets, the hidden slider last, and sends it back with every
-   later message. So a message says by itself which updates the page had heard of when it was written.
-3. What it had not heard of is set again, under a new number. If the message shows that somebody has moved that very
-   widget meanwhile, the user's newer value wins.
+2. Streamlit's page sets its widgets to the values from the server, the hidden slider last. Every later message
+   contains the number in this slider, and thereby the last update that the page had received.
+3. Updates that it had not received are set again, under a new number. If the message shows that the user has moved the
+   same widget meanwhile, the user's newer value wins.
 """
 
 from collections.abc import Mapping
@@ -26,18 +26,18 @@ _UPDATES = "updates"
 
 @dataclass
 class _Updates:
-    """Values of which the page may not have heard.
+    """Values that the page may not have received.
 
-    It is changed in place and first: each access to the session is a place where Streamlit may break off a run.
+    Change it in place and first: Streamlit may interrupt a run at each access to the session state.
     """
 
     number: int = 0
     waiting: dict[str, tuple[set, Any, int]] = field(default_factory=dict)
-    """Key of a widget → the values that it had before, the one that it has been set to, the number of the update."""
+    """Key of a widget → its previous values, its new value, and the number of the update."""
 
 
 def set_widgets(values: Mapping[str, Any]) -> None:
-    """Set widgets, key → value, and keep them so until the page has heard of it."""
+    """Set widgets, key → value, and repeat this until the page has received the values."""
     held = {key: st.session_state.get(key) for key in values}
     waiting = _updates().waiting
     before = {key: {held[key]} | (waiting[key][0] | {waiting[key][1]} if key in waiting else set()) for key in values}
@@ -45,7 +45,7 @@ def set_widgets(values: Mapping[str, Any]) -> None:
 
 
 def reassert() -> None:
-    """Set again the values of which the page had not heard when it wrote its last message.
+    """Set the values again that the page had not received when it sent its last message.
 
     Call it before anything reads or draws the widgets: at the start of a run, and of each callback.
     """
@@ -62,14 +62,14 @@ def reassert() -> None:
 
 
 def waits() -> bool:
-    """Tell whether the page may not have heard of a value."""
+    """Return whether the page may not have received a value."""
     return bool(_updates().waiting)
 
 
 def draw() -> None:
-    """Draw the hidden slider, from the first run on; call it after all widgets that are set.
+    """Draw the hidden slider, from the first run on. Call it after all widgets that are set.
 
-    A message that does not contain it would leave the number that the server has set itself.
+    A message without this slider would leave its number as the server has set it.
     """
     if waits():
         st.session_state[_SEEN] = _updates().number

@@ -1,4 +1,4 @@
-"""The server's own work, independent of any visitor: warm up, serve the page's files, delete expired answers."""
+"""The tasks of the server: fill caches, serve the page's files, delete expired answers."""
 
 import asyncio
 import gc
@@ -18,13 +18,13 @@ from ramanujan.shell.links import TidyLinks
 from ramanujan.shell.page_files import PageFiles
 
 MIDDLEWARE = [Middleware(TidyLinks), Middleware(NamedBrowser), Middleware(PageFiles)]
-"""Tidy a link, name the browser, then serve the file or the page."""
+"""Middleware in order: correct a link, name the browser, serve the file or the page."""
 HOUR = 3600.0
 """Seconds between two deletions of expired answers."""
 
 
 def settings() -> dict[str, Any]:
-    """Return what `st.App` needs besides the script: the middleware, and the work at the start and the end."""
+    """Return the arguments of `st.App` besides the script: the middleware, and the tasks at start and end."""
     return {"middleware": MIDDLEWARE, "lifespan": warmed_up}
 
 
@@ -48,7 +48,7 @@ async def warmed_up(_: st.App) -> AsyncIterator[None]:
 async def delete_expired_answers() -> None:
     """Delete the answers of expired classes at once and then every hour, until the task is cancelled."""
     while True:
-        # The log of the store names the reason of a failure, and the next hour tries again.
+        # The store logs the reason of a failure, and the next hour tries again.
         with suppress(ClassError):
             await run_in_threadpool(lambda: shared().delete_expired())
         await asyncio.sleep(HOUR)

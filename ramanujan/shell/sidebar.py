@@ -1,10 +1,10 @@
-"""The controls: sliders, exact entries, presets, link; what a person has set, as an `Oscillator`.
+"""The controls: sliders, exact entries, presets, link; and the resulting `Oscillator`.
 
-They stand in the sidebar; the first page has them on the page itself.
+They are in the sidebar, and on the first page in the page itself.
 
-Each parameter is one slider, bound to the address, and the slider is the only holder of its value. The box above it
-shows that value in full, and what is typed into it comes as one message: the box holds nothing itself. What cannot be
-used, from wherever it comes, is answered with one sentence, and the last good value stays.
+Each parameter has one slider, which is bound to the address and contains its value. The box above the slider shows the
+value in full, and sends a typed text as one message. An invalid value from any source causes a message, and the last
+valid value remains.
 """
 
 import math
@@ -30,26 +30,26 @@ PRESETS = {
 _RATIOS = {"equal": 1.0, "unit": UNIT_MASS_RATIO, "light": 0.1, "heavy": 5.0}
 _PRESET = "preset"
 _WISHES = "wishes"
-"""Session state: requests from a box, a preset or a button, which the next run carries out.
+"""Session state: requests from a box, a preset or a button, for the next run.
 
-The list is changed in place, so that a run that is broken off loses none.
+The list is changed in place, so that an interrupted run loses no request.
 """
 _JUDGED = "judged"
 _FIRST = "first_run"
 _BEGUN = "sidebar_begun"
 _FOLLOW = "follow"
-"""Session state: the keys of the fragments that follow the machine, if the page was drawn to its end."""
+"""Session state: the keys of the fragments that follow the machine, if the page was completely drawn."""
 _LINKED = "linked"
 """Session state: key of a parameter → its value when the session began."""
 
 
 def draw(withheld: Collection[str], aside: Collection[str]) -> None:
-    """Draw the sidebar. Call it once a run, after `begin` and before the page.
+    """Draw the sidebar. Call it once in each run, after `begin` and before the page.
 
     Parameters
     ----------
-    withheld : presets that are not offered, because they would tell what the page asks
-    aside : keys of those that matter little on this page: they are folded, beside those that always are
+    withheld : presets to omit, because they would reveal an answer
+    aside : keys of parameters of minor importance on this page, which are folded
     """
     if not st.session_state.pop(_BEGUN, False):
         raise RuntimeError("sidebar.begin() comes first: a widget that has been drawn can no longer be set")
@@ -66,12 +66,12 @@ def draw(withheld: Collection[str], aside: Collection[str]) -> None:
 
 
 def more(offered: Collection[str], folded: Collection[str]) -> None:
-    """Draw the controls that only some ask for, behind one line that says what they are.
+    """Draw the less frequent controls in an expander whose label describes them.
 
     Parameters
     ----------
-    offered : the presets
-    folded : keys of parameters, the radius among them
+    offered : ids of the presets
+    folded : keys of the parameters, with the radius
     """
     with st.expander(_("More: ready machines, radius, symbols"), key="aside"):
         if offered:
@@ -84,14 +84,14 @@ def more(offered: Collection[str], folded: Collection[str]) -> None:
 
 
 def presets(offered: Collection[str]) -> None:
-    """Draw buttons for machines that are worth a look, and for the way back."""
+    """Draw buttons for interesting machines, and the reset button."""
     st.pills(
         _("Presets"),
         offered,
         format_func=PRESETS.__getitem__,
         key=_PRESET,
         on_change=_take_preset,
-        required=True,  # else the second press of a double click takes the first one back
+        required=True,  # Otherwise the second press of a double click reverts the first one.
         label_visibility="collapsed",
     )
 
@@ -105,32 +105,32 @@ def symbols() -> None:
 
 
 def end() -> None:
-    """Tell the boxes what the sliders hold, after all of these have been drawn."""
+    """Publish the values of the sliders to the boxes, after all sliders are drawn."""
     components.publish("boxes_published", followed())
     pending_updates.draw()
 
 
 def follow(*fragments: str) -> None:
-    """Let a slider rerun only these fragments of the page; call it when all of the page has been drawn.
+    """Let a slider rerun only these fragments of the page. Call it after the whole page is drawn.
 
     Parameters
     ----------
-    fragments : the keys of the fragments with all that depends on the machine; one of them calls `followed`
+    fragments : keys of the fragments that depend on the machine; one of them calls `followed`
     """
     st.session_state[_FOLLOW] = fragments
 
 
 def followed() -> dict[str, object]:
-    """Return what the sliders’ boxes are told: topics of the page’s bus."""
+    """Return the messages to the boxes of the sliders, by topic of the page’s bus."""
     judged = st.session_state.get(_JUDGED, 0)
     held = {key: parameter.value for key, parameter in PARAMETERS.items()}
     return {f"exact/{key}": {"value": value, "text": repr(value), "judged": judged} for key, value in held.items()}
 
 
 def _moved() -> None:
-    """Rerun only the fragments that follow the machine, unless more has changed or a run was broken off.
+    """Rerun only the fragments that follow the machine, unless there are other changes or a run was interrupted.
 
-    Only a browser keeps the rest of the page: for a test without one, the whole page runs.
+    Only a browser keeps the rest of the page. In a test without a browser, the whole page reruns.
     """
     pending_updates.reassert()
     fragments = st.session_state.get(_FOLLOW)
@@ -139,12 +139,12 @@ def _moved() -> None:
 
 
 def _wishes() -> list[partial]:
-    """Return what gives the sliders a machine: a text in a box, a preset, a click on a curve, a stop."""
+    """Return the requests that set the sliders: a text in a box, a preset, a click on a curve, a stop."""
     return st.session_state.setdefault(_WISHES, [])
 
 
 def begin(problems: list[str]) -> None:
-    """Carry out the requests since the last run, and show the messages. Call it once a run, before any slider.
+    """Carry out the requests since the last run, and show the messages. Call it once in each run, before any slider.
 
     Typed numbers come first, because a box sends its number before any other element receives the click.
 
@@ -155,7 +155,7 @@ def begin(problems: list[str]) -> None:
     st.session_state.pop(_FOLLOW, None)
     st.session_state[_BEGUN] = True
     st.session_state[_FIRST] = _FIRST not in st.session_state
-    # In the first run the sliders show what the link has set, without what it got wrong.
+    # In the first run the sliders have the values in the link, without the invalid ones.
     st.session_state.setdefault(_LINKED, {key: parameter.value for key, parameter in PARAMETERS.items()})
     pending_updates.reassert()
     for wish in sorted(_wishes(), key=lambda wish: wish.func is not take_exact):
@@ -165,7 +165,7 @@ def begin(problems: list[str]) -> None:
 
 
 def oscillator() -> Oscillator:
-    """Return the machine that the sliders describe."""
+    """Return the machine with the values of the sliders."""
     return Oscillator(**{name: PARAMETERS[name].in_si for name in MACHINE})
 
 
@@ -175,17 +175,17 @@ def compression() -> float:
 
 
 def enter(key: str, text: str) -> None:
-    """Take what was typed into the box of a parameter; the next run judges it."""
+    """Request the text in the box of a parameter, in a callback. The next run parses it."""
     _wishes().append(partial(take_exact, key, text))
 
 
 def take_ratio(ratio: float, digits: int = 17) -> None:
-    """Set m′ = εm in the run that follows; where m′ would leave its range, m gives way, and the page says so.
+    """Set m′ = εm in the next run. If m′ would leave its range, change m and show a message.
 
     Parameters
     ----------
     ratio : ε = m′/m
-    digits : significant digits of m′ that are wanted, where round values matter more than the exact ratio
+    digits : number of significant digits of m′, if round values matter more than the exact ratio
     """
     _wishes().append(partial(_set_ratio, ratio, digits))
 
@@ -199,7 +199,7 @@ def _set_ratio(ratio: float, digits: int) -> None:
         pending_updates.set_widgets({"m_prime": m_prime})
         return
     bound = rollers.clamp(m_prime)
-    # The m nearest to the old one, on the slider's steps, with which the ratio can be had.
+    # Choose the m nearest to the old one, on the slider's steps, that allows the ratio.
     steps = round(bound / ratio / others.step, 6)
     nearest = (math.floor if m_prime > bound else math.ceil)(steps) * others.step
     new_m = others.clamp(round(nearest, 10))
@@ -217,23 +217,23 @@ def _set_ratio(ratio: float, digits: int) -> None:
 
 
 def take_machine(machine: Oscillator, metres: float) -> None:
-    """Set all sliders to a machine and its x₀ [m] in the run that follows."""
+    """Set all sliders to a machine and its x₀ [m] in the next run."""
     _wishes().append(partial(pending_updates.set_widgets, _on_sliders(machine, metres)))
 
 
 def linked() -> bool:
-    """Tell whether this run is the first of its session and the link says something of the machine."""
+    """Return whether this run is the first of its session and the link contains a parameter of the machine."""
     return st.session_state[_FIRST] and not set(PARAMETERS).isdisjoint(st.query_params)
 
 
 def holds(machine: Oscillator, metres: float) -> bool:
-    """Tell whether the sliders hold this machine and this x₀ [m]."""
+    """Return whether the sliders have the values of this machine and this x₀ [m]."""
     return all(math.isclose(PARAMETERS[key].value, x) for key, x in _on_sliders(machine, metres).items())
 
 
 def _on_sliders(machine: Oscillator, metres: float) -> dict[str, float]:
-    """Return what each slider says of a machine, in its own unit."""
-    # Ten digits keep 8 cm from turning into 8.000000000000002 cm. Values in SI units keep all of their digits.
+    """Return the value of each slider for a machine, in the unit of the slider."""
+    # Ten digits avoid 8.000000000000002 cm instead of 8 cm. Values in SI units keep all of their digits.
     return {
         key: value if PARAMETERS[key].scale == 1 else round(value / PARAMETERS[key].scale, 10)
         for key, value in {**{name: getattr(machine, name) for name in MACHINE}, "compression": metres}.items()
@@ -241,7 +241,7 @@ def _on_sliders(machine: Oscillator, metres: float) -> dict[str, float]:
 
 
 def _reset() -> None:
-    """Put every parameter back to what the link has set, or from there to its default; say so where the two differ."""
+    """Reset every parameter to its value in the link, or from there to its default; explain the difference."""
     defaults = {parameter.name: parameter.default for parameter in PARAMETERS.values()}
     linked = st.session_state.get(_LINKED, defaults)
     there = all(PARAMETERS[key].value == value for key, value in linked.items())
@@ -255,7 +255,7 @@ def _reset() -> None:
 
 
 def _take_preset() -> None:
-    """Note the preset that is asked for, and leave none chosen: after the next slider the choice would be wrong."""
+    """Request the selected preset, and clear the selection, which a moved slider would invalidate."""
     pending_updates.reassert()
     preset = st.session_state[_PRESET]
     if preset in _RATIOS:
@@ -266,14 +266,14 @@ def _take_preset() -> None:
 
 
 def slider(key: str) -> None:
-    """Draw the slider of a parameter with its box; in one run in one place only, before `end`."""
+    """Draw the slider of a parameter with its box, in one place in each run, before `end`."""
     components.exact(key, widgets.head(PARAMETERS[key]), partial(enter, key))
     messages.show_note(key)
     widgets.slider(PARAMETERS[key], label_visibility="collapsed", on_change=_moved)
 
 
 def take_exact(key: str, text: str) -> None:
-    """Set a parameter to the number in its box, or note which numbers are accepted and that the old value was kept."""
+    """Set a parameter to the number in its box. For an invalid text, show the valid range and keep the old value."""
     parameter = PARAMETERS[key]
     # The count makes the box show its value again, changed or not.
     st.session_state[_JUDGED] = st.session_state.get(_JUDGED, 0) + 1
@@ -294,6 +294,6 @@ def take_exact(key: str, text: str) -> None:
 
 
 def _times(ratio: float, m: float, digits: int) -> float:
-    """Return εm to so many digits; a short ratio gives a product without the noise of binary fractions."""
+    """Return εm to this number of digits. A short ratio gives a product without the noise of binary fractions."""
     short = ratio == float(f"{ratio:.6g}")
     return float(f"{ratio * m:.{min(digits, 12) if short else digits}g}")

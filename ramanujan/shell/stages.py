@@ -43,5 +43,5 @@ def mount(payload: Mapping[str, Any] | None, **more: Any) -> None:
 
 
 def tell(payload: Mapping[str, Any], **more: Any) -> None:
-    """Publish the machine of a stage that was mounted without data, and hide what the link hides."""
+    """Publish the machine of a stage that was mounted without data, with the parts that the link hides."""
     stage.publish(payload, hide=display_mode.on_stage(), **more)

@@ -1,6 +1,6 @@
 """The start page: Streamlit's own page, with the app's fonts, style sheets and first modules.
 
-Streamlit would load these seconds later on a slow machine, after the first headings are drawn, and the page would jump.
+Streamlit would load these seconds later on a slow machine, after the first headings, and the page would jump.
 """
 
 import re
@@ -16,16 +16,16 @@ from ramanujan.translation import LANGUAGE
 _STREAMLIT = Path(st.__file__).parent / "static"
 _FRAME = Path(modules.__file__).parent / "frame.js"
 _FONT = re.compile(rb'<link\s[^>]*as="font"[^>]*>')
-"""Streamlit's preload of a font; page.css brings a smaller one."""
+"""Streamlit's preload of a font. page.css has a smaller font."""
 _FIRST = ("begin", "components/services", "components/publish", "stage/stage")
-"""Modules that draw the machine; they import the rest. To preload all modules at once would delay these."""
+"""Modules that draw the machine and import the others. A preload of all modules would delay these."""
 
 
 def content_security_policy() -> str:
-    """Return the content security policy: the page loads files of its own server, and blobs that its scripts make.
+    """Return the content security policy: only files of the app's server, and blobs that its scripts create.
 
-    Streamlit imports the scripts of components from blobs and computes with WebAssembly; it and Plotly write rules of
-    style into the page. Of the scripts in the page itself only those of the start page may run.
+    Streamlit imports the scripts of components from blobs and computes with WebAssembly. It and Plotly write style
+    rules into the page. Of the inline scripts, only those of the start page may run.
     """
     inline = re.findall(rb"<script>(.*?)</script>", html(has_formulas=True), re.DOTALL)
     hashes = " ".join(f"'sha256-{b64encode(sha256(script).digest()).decode()}'" for script in inline)
@@ -36,11 +36,11 @@ def content_security_policy() -> str:
 
 
 def html(*, has_formulas: bool) -> bytes:
-    """Return the page; one without formulas loads fewer fonts."""
+    """Return the page. A page without formulas loads fewer fonts."""
     place = f"./{modules.place()}"
     fonts = [f"{place}/{name}" for name in sorted(modules.contents()) if "fonts/" in name]
     if has_formulas:
-        # KaTeX measures formulas with these letters: if they came late, lines would change their length.
+        # KaTeX measures formulas with these fonts. If they arrived late, lines would change their length.
         letters = re.compile(r"KaTeX_(Main-Regular|Math-Italic|Size1-Regular)\..*woff2")
         names = sorted(path.name for path in _STREAMLIT.glob("static/media/*"))
         fonts += [f"./static/media/{name}" for name in names if letters.match(name)]
@@ -61,5 +61,5 @@ def html(*, has_formulas: bool) -> bytes:
     # Before Streamlit's own scripts, which read the address.
     page = page.replace(b"<head>", f"<head><script>{_FRAME.read_text(encoding='utf-8')}</script>".encode(), 1)
     page = _FONT.sub("".join(preloads).encode(), page, count=1)
-    # At the end of the body: Streamlit adds its own rules to the head, and the later of two equal rules counts.
+    # Append them to the body: Streamlit adds its rules to the head, and the later of two equal rules applies.
     return page.replace(b"</body>", "".join([*links, *scripts, "</body>"]).encode(), 1)

@@ -8,7 +8,7 @@ from plotly.colors import find_intermediate_color, hex_to_rgb, label_rgb
 from ramanujan.integrators import METHODS
 
 BODY_COLORS = {"block": "gray", "hoop": "orange", "cylinder": "blue", "slab": "green", "spring": "violet", "top": "red"}
-"""Body → Streamlit's name of its colour: Markdown writes :orange[…], the stage var(--st-orange-color)."""
+"""Body → Streamlit's name of its colour. Markdown contains :orange[…], and the stage var(--st-orange-color)."""
 
 _OPTIONS = {
     "ink": "textColor",
@@ -28,14 +28,14 @@ def current() -> str:
 
 
 def colors() -> dict[str, str]:
-    """Return the theme's colours by use: ink, paper, faint, primary, method_0 …, one (and its ink) for each body."""
+    """Return the theme's colours by use: ink, paper, faint, primary, method_0 …, and each body with its ink."""
     return _colors(current())
 
 
 @cache
 def _colors(shown: str) -> dict[str, str]:
-    # `st.get_option` takes a tenth of a millisecond, and a page reads all options several times in a run.
-    # An app test in another folder has no theme.
+    # A call of `st.get_option` takes 0.1 ms, and a page reads all options several times in a run.
+    # A test in another folder has no theme.
     fallback = {"paper": "rgba(0,0,0,0)", "faint": "rgba(128,128,128,0.3)"}
     bodies = {
         use: st.get_option(f"theme.{shown}.{option}") or fallback.get(use, _GRAY) for use, option in _OPTIONS.items()
@@ -46,7 +46,7 @@ def _colors(shown: str) -> dict[str, str]:
 
 @cache
 def on_paper() -> dict[str, str]:
-    """Return the colours of drawings for paper: for each body one that is light enough for letters."""
+    """Return the colours of drawings for paper. Each body has one that is light enough for letters."""
     light = _colors("light")
     white = (255, 255, 255)
     return {body: label_rgb(find_intermediate_color(hex_to_rgb(light[body]), white, 0.56)) for body in BODY_COLORS}

@@ -1,4 +1,4 @@
-"""The widgets of the pages: each belongs to a URL parameter (`address`), holds an id, and shows its words."""
+"""The widgets of the pages. Each belongs to a URL parameter (`address`), has an id as its value, and shows a label."""
 
 import string
 from collections.abc import Callable, Mapping, Sequence
@@ -12,16 +12,16 @@ from ramanujan.shell.parameters import LONGEST, Parameter
 from ramanujan.translation import _
 
 Words = Mapping[Any, str]
-"""Option → its label; a widget needs them where the options bring no labels."""
+"""Option → its label, for parameters whose options have no labels."""
 
 
 def segmented_control(key: Choice, label: str, words: Words | None = None, **more: Any) -> Any:
-    """Draw the options side by side; exactly one of them is chosen."""
+    """Draw the options in a row. Exactly one of them is selected."""
     return _choice(st.segmented_control, key, label, words, default=key.default, required=True, **more)
 
 
 def pills(key: Choice, label: str, words: Words | None = None, **more: Any) -> Any:
-    """Draw the options side by side; one of them may be chosen."""
+    """Draw the options in a row. At most one of them is selected."""
     return _choice(st.pills, key, label, words, **more)
 
 
@@ -37,14 +37,14 @@ def select_slider(key: Choice, label: str, words: Words | None = None, **more: A
 
 def _choice(draw: Callable, key: Choice, label: str, words: Words | None, **more: Any) -> Any:
     words = words or (key.options if isinstance(key.options, Mapping) else {})
-    # A page that was left open may name an option that is gone.
+    # A page that remained open may send an option that no longer exists.
     options = {"options": list(key.options), "format_func": lambda option: words.get(option, str(option))}
     draw(label, **options, key=key.name, persist_state="session", **more)
     return address.keep(key)
 
 
 def beside(widths: int | Sequence[float], *draw: Callable[[], Any], alignment: str = "top") -> list[Any]:
-    """Draw widgets beside each other in columns, or below each other in a single one, and return their values."""
+    """Draw widgets in columns, or below each other in a single column, and return their values."""
     columns = st.columns(widths, vertical_alignment=alignment)
     values = []
     for column, each in zip(columns if len(columns) > 1 else columns * len(draw), draw, strict=True):
@@ -54,14 +54,14 @@ def beside(widths: int | Sequence[float], *draw: Callable[[], Any], alignment: s
 
 
 def count(key: Count, label: str, *, step: int = 1, width: int | str = "stretch") -> int:
-    """Draw a box for a whole number, with the range that Streamlit's own box keeps to itself until it is left."""
+    """Draw a box for a whole number, with its range. Streamlit's own box shows the range only after it is left."""
     label = _("{label} ({least}\u00a0to\u00a0{most})").format(label=label, least=key.least, most=key.most)
     st.number_input(label, key.least, key.most, key.default, step, key=key.name, persist_state="session", width=width)
     return address.keep(key)
 
 
 def table(rows: Sequence[Sequence[str]], key: str) -> None:
-    """Draw a table that scrolls by itself where the page is narrow; cells are Markdown, the first row names columns."""
+    """Draw a table that scrolls separately on a narrow page. Cells are Markdown; the first row names the columns."""
     head, *others = rows
     lines = (" | ".join(row) for row in (head, ["---"] * len(head), *others))
     with st.container(key=f"table_{key}"):
@@ -69,11 +69,11 @@ def table(rows: Sequence[Sequence[str]], key: str) -> None:
 
 
 def equations(key: str, wide: str, narrow: str) -> None:
-    """Draw equations for a wide window and for a phone; page.css shows one of the two."""
+    """Draw equations for a wide window and for a phone. page.css shows one of the two."""
     if wide == narrow:
         st.latex(wide)
         return
-    # No server knows how wide a window is.
+    # The server does not know the width of a window.
     with st.container(key=f"equations_{key}"):
         st.latex(wide)
     with st.container(key=f"narrow_{key}"):
@@ -81,27 +81,27 @@ def equations(key: str, wide: str, narrow: str) -> None:
 
 
 def download(label: str, content: str, name: str, mime: str, **more: Any) -> None:
-    """Offer a file that is there before it is asked for.
+    """Offer a file that is written before the click.
 
-    One that is made at a press belongs to no run, and Streamlit drops it after two more runs of anybody: in a class
-    before a slow browser has fetched it.
+    Streamlit deletes a file that is written at a click after two more runs of any session. In a class, a slow browser
+    would not have loaded it by then.
     """
     st.download_button(label, content, name, mime, on_click="ignore", **more)
 
 
 def plain(text: str) -> str:
-    """Return text such that Markdown shows it as it is."""
+    """Return a text that Markdown shows unchanged."""
     return "".join(f"\\{character}" if character in string.punctuation else character for character in text)
 
 
 def hints(name: str, sentences: Sequence[str], last: str = "") -> bool:
-    """Draw the hints that have been asked for, and a button for the next one.
+    """Draw the requested hints, and a button for the next one.
 
     Parameters
     ----------
-    name : of what the hints belong to
-    sentences : Markdown, from a nudge to nearly the way
-    last : the label of one more button after them, if there is one; return whether it has been pressed
+    name : name of the question or task
+    sentences : hints in Markdown, with increasing detail
+    last : label of an additional last button, if any; the function returns whether it was pressed
     """
     shown = hints_shown(name)
     for sentence in sentences[:shown]:
@@ -114,19 +114,19 @@ def hints(name: str, sentences: Sequence[str], last: str = "") -> bool:
 
 
 def hints_shown(name: str) -> int:
-    """Return how many hints have been asked for."""
+    """Return the number of requested hints."""
     return st.session_state.get(f"hints_shown_{name}", 0)
 
 
 def tabs(key: Choice) -> dict[str, Any]:
-    """Draw tabs and return them by the ids of their options; the open one alone has to be filled."""
+    """Draw tabs and return them by the ids of their options. Only the open tab needs content."""
     words: Words = key.options
     widget, ids = f"{key.name}_tabs", {label: option for option, label in words.items()}
 
     def chosen() -> None:
         st.session_state[key.name] = ids.get(st.session_state[widget], key.default)
 
-    # Streamlit knows a tab only by its label.
+    # Streamlit identifies a tab only by its label.
     if st.session_state.get(widget, words[key.default]) != words[address.held(key)]:
         st.session_state[widget] = words[address.held(key)]
     drawn = st.tabs(list(words.values()), key=widget, on_change=chosen)
@@ -142,7 +142,7 @@ def slider(parameter: Parameter, **more: Any) -> float:
         parameter.most,
         parameter.default,
         parameter.step,
-        # components/slider_values.js writes the value in the language of the server.
+        # components/slider_values.js writes the value in the language of the page.
         format=parameter.format,
         key=parameter.name,
         bind="query-params",
@@ -151,7 +151,7 @@ def slider(parameter: Parameter, **more: Any) -> float:
 
 
 def page_slider(parameter: Parameter) -> float:
-    """Draw a slider that only the present page has, and return its value in SI units."""
+    """Draw a slider of the current page only, and return its value in SI units."""
     value = slider(parameter)
     return (value if parameter.least <= value <= parameter.most else parameter.default) * parameter.scale
 

@@ -1,4 +1,4 @@
-"""What page 2 keeps: the routes in symbols once for all, their steps as LaTeX, with and without the present masses."""
+"""The caches of page 2: the symbolic routes, and their steps as LaTeX, with and without the current masses."""
 
 import math
 from collections.abc import Mapping
@@ -29,7 +29,7 @@ _CUBE = sp.Integer(3)
 """The power of a side in a volume."""
 
 Inks = tuple[tuple[str, str], ...]
-"""Parts of the machine, and the larger cube, each with its colour, #rrggbb."""
+"""Part of the machine, or the larger cube → its colour, #rrggbb."""
 
 
 @st.cache_data(show_spinner=False, max_entries=1024)
@@ -42,7 +42,7 @@ def step(
     equal_masses: bool = False,
     wide: bool = False,
 ) -> tuple[str, str, str, str]:
-    """Return heading, reason and equations of a step of a route, counted from 0, what belongs to a part in its ink.
+    """Return heading, reason and equations of a step of a route, counted from 0. Terms have the colours of the bodies.
 
     The equations come twice: with each operation behind its line, and for a phone with each below its line.
     """
@@ -59,7 +59,7 @@ def all_routes() -> list[Route]:
 
 @st.cache_data(show_spinner=False)
 def asked_in(name: str, number: int) -> tuple[str, ...]:
-    """Return the questions that a step of a route, counted from 0, is the first to answer."""
+    """Return the questions that a step of a route, counted from 0, answers for the first time."""
     steps = route(name).steps
 
     def first(asked: Question) -> Step | None:
@@ -72,7 +72,7 @@ def asked_in(name: str, number: int) -> tuple[str, ...]:
 
 @st.cache_resource(show_spinner=False)
 def agrees(name: str) -> bool:
-    """Tell whether a route ends in the same expression as the first one: the difference is worked out and is 0."""
+    """Return whether a route ends in the same expression as the first one. SymPy simplifies the difference to 0."""
     first = next(iter(all_routes()))
     return sp.cancel(first.natural_frequency_squared - route(name).natural_frequency_squared) == 0
 
@@ -86,7 +86,7 @@ def result(numbers: Numbers | None) -> list[str]:
 
 @st.cache_data(show_spinner=False, max_entries=256)
 def spectrum(numbers: Numbers | None) -> tuple[list[str], str]:
-    """Return the shapes of the three modes, the oscillating one first, and the momenta that the others conserve."""
+    """Return the shapes of the three modes, the oscillating one first, and the conserved momenta of the zero modes."""
     found = _modes()
     name = dict(zip(COORDINATES, MOMENTA, strict=True))
     momenta = [row(equation(name[q], p), numbers) for q, p in conserved_momenta().items()]
@@ -104,7 +104,7 @@ def document(
     *,
     equal_masses: bool = False,
 ) -> str:
-    """Return the route as LaTeX, Markdown or a notebook, or it or one step as slides, in symbols or with numbers.
+    """Return a route as LaTeX, Markdown or a notebook, or its slides, in symbols or with numbers.
 
     Slides show the machine that is `drawn`, of a radius and with a compression [m]. A notebook takes any masses.
     """
@@ -124,7 +124,7 @@ def _modes() -> Modes:
 
 
 def _row(symbolic: sp.Eq, label: str, dress: Dress, *, numbers: Numbers | None, inks: Mapping[str, str]) -> Row:
-    """Return an equation in inks: each part's terms of T and ℒ, a line about one part alone, and what names a part."""
+    """Return an equation with the colours of the bodies: in a sum by terms, in a line about one body throughout."""
     if inks and isinstance(symbolic.rhs, InOrder):
         is_cube = symbolic.rhs.args[0].as_base_exp()[1] == _CUBE
         owners = ["cube"] if is_cube else [part for part, own in terms(symbolic).items() for _term in own]

@@ -1,4 +1,4 @@
-"""The section of page 2 on the three normal modes: each moves by itself, beside what it conserves."""
+"""The section of page 2 on the three normal modes and their conserved quantities."""
 
 import streamlit as st
 
@@ -11,11 +11,11 @@ from ramanujan.shell.display_mode import columns, is_projector
 from ramanujan.translation import _
 
 MODES = stages.url_parameters("modes_")
-"""The parameters by which the address keeps the view of the three machines."""
+"""The URL parameters for the view of the three machines."""
 
 
 def three_modes(numbers: Numbers | None) -> None:
-    """Draw the three modes side by side, each moving by itself."""
+    """Draw the three modes in three columns."""
     st.header(_("Three normal modes, one of them oscillates"), anchor=False)
     words, formulas = columns("modes")
     with words:
@@ -68,7 +68,7 @@ def three_modes(numbers: Numbers | None) -> None:
 
 @st.fragment(key="modes")
 def tell_modes() -> None:
-    """Tell the three stages which machine moves in its modes; a slider reruns nothing else of the section."""
+    """Publish the machine to the three stages. A slider reruns only this fragment of the section."""
     machine, compression = sidebar.oscillator(), sidebar.compression()
     # Slow enough to watch: half of x₀ in the time of one period.
     speed = compression / 2 / machine.period

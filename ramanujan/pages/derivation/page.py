@@ -1,4 +1,4 @@
-"""Page 2: the routes from the machine to Ω², its three modes, and a place to try the formulas oneself."""
+"""Page 2: the routes from the machine to Ω², its three modes, and questions with typed formulas."""
 
 from dataclasses import dataclass, replace
 
@@ -73,11 +73,11 @@ def show() -> None:
         sidebar.follow("beside", "results", "modes", "asked_machine")
 
 
-# ---- what is shown, and how
+# ---- display options
 
 
 def the_route() -> Setting:
-    """Draw the choices, the steps, and the machine beside them; on a projector all of them share one slide."""
+    """Draw the options, the steps and the machine. In the projector view they share one slide."""
     setting = the_setting()
     with slide("lecture", _("The steps")):
         st.title(_("Many ways to one frequency"), anchor=False)
@@ -86,7 +86,7 @@ def the_route() -> Setting:
             picture, steps = st.container(), st.container()
         with picture:
             stages.mount(None, key="beside", clock="beside", layers=("coordinates",), compact=True)
-        # The first visitor of a server waits for all routes: the choices name them.
+        # The first visitor of a server waits for all routes, because the options contain their names.
         with steps, st.skeleton(height=_STEP_HEIGHT):
             cache.all_routes()
         with head:
@@ -101,7 +101,7 @@ def the_route() -> Setting:
 
 
 def the_setting() -> Setting:
-    """Return what the choices hold; on a projector there is one step at a time."""
+    """Return the values of the options. The projector view shows one step at a time."""
     in_numbers = address.held(VALUES) == "numbers" and not display_mode.hides("numbers")
     is_lecture = address.held(VIEW) == "lecture" or display_mode.is_projector()
     equal_masses, numbers = address.held(MASSES) == "equal", present() if in_numbers else None
@@ -111,12 +111,12 @@ def the_setting() -> Setting:
 
 
 def present() -> Numbers:
-    """Return the numbers of the sidebar."""
+    """Return the current masses and spring constant."""
     return Numbers.of(sidebar.oscillator())
 
 
 def choose() -> None:
-    """Draw the choice of the route; the others are folded."""
+    """Draw the options. All but the route are in a popover."""
     hidden = {"label_visibility": "collapsed"}
     titles = {name: cache.route(name).title for name in ROUTE.options}
     widgets.selectbox(ROUTE, _("Route"), titles, on_change=start_over, **hidden)
@@ -129,27 +129,27 @@ def choose() -> None:
 
 
 def start_over() -> None:
-    """Begin the route that was chosen at its first step."""
+    """Select the first step of the new route, in a callback."""
     st.session_state[STEP.name] = 1
 
 
 def stay() -> None:
-    """Stay at the same step for other masses, or at the last one where they have fewer."""
+    """Keep the current step for other masses, or select the last one if there are fewer steps."""
     steps = cache.route(address.held(ROUTE), address.held(MASSES) == "equal").steps
     st.session_state[STEP.name] = min(address.held(STEP), len(steps))
 
 
 def turned(route: str, step: int) -> None:
-    """Keep in the address where the page has turned to; a message about another route comes too late."""
+    """Write the selected step into the address. Ignore a late message about another route."""
     if route == address.held(ROUTE):
         st.session_state[STEP.name] = step
 
 
 @st.fragment(key="beside")
 def turn_pages(setting: Setting) -> None:
-    """Draw what turns the pages of a lecture, and tell the machine and the sliders’ boxes what is set.
+    """Draw the pager of a lecture, and publish the machine to the stage and the boxes of the sliders.
 
-    A turn reruns nothing else. At the last step, which asks for it, the machine is in step with the plain mass.
+    A turned page reruns only this fragment. The last step is about the machine in step, so the stage shows it.
     """
     address.keep(STEP)
     machine = sidebar.oscillator()
@@ -165,7 +165,7 @@ def turn_pages(setting: Setting) -> None:
 
 
 def the_steps(setting: Setting) -> None:
-    """Draw the steps of the route; of a lecture the page shows one."""
+    """Draw the steps of the route. The page of a lecture shows one of them."""
     steps = len(setting.steps)
     if address.held(STEP) > steps:
         messages.warn(address.Count(STEP.name, steps).message())
@@ -175,7 +175,7 @@ def the_steps(setting: Setting) -> None:
         for number in range(1, steps + 1):
             draw(setting, number)
         return
-    # The steps that are hidden (page.css; steps.js shows one) leave no gaps.
+    # The hidden steps leave no gaps. page.css hides them, and steps.js shows one.
     with st.container(key="lecture", gap=None):
         for number in range(1, steps + 1):
             with st.container(key=f"step_{number}"):
@@ -209,7 +209,7 @@ def draw(setting: Setting, number: int) -> None:
 
 @st.fragment
 def result(step: str, wide: str, narrow: str, asked: tuple[str, ...]) -> None:
-    """Draw the equations of a step. A reader who types one first sees them once it is right."""
+    """Draw the equations of a step. If it has a question, show them after a correct answer."""
     route = step.rpartition("_")[0]
     if asked and st.toggle(_("Type it yourself first"), key=f"first_{route}_{asked[0]}"):
         key = f"asked_{route}_{asked[0]}"
@@ -222,7 +222,7 @@ def result(step: str, wide: str, narrow: str, asked: tuple[str, ...]) -> None:
 
 
 def explain(setting: Setting) -> None:
-    """Say whose numbers the steps show, and what their symbols mean."""
+    """Name the masses that the steps use, and explain the symbols."""
     if setting.numbers:
         st.caption(stated(setting.numbers))
     meanings = "\n".join(f"- {meaning}" for meaning in symbols(setting.route))
@@ -231,9 +231,9 @@ def explain(setting: Setting) -> None:
 
 @st.fragment
 def take_home(setting: Setting) -> None:
-    """Offer the route as files, and the step that is seen; they are written when this is opened."""
+    """Offer the route and the current step as files, which are written when the popover opens."""
     drawn = sidebar.oscillator().radius, sidebar.compression()
-    # When this opens, the server has heard which step is seen.
+    # The address contains the current step by the time this opens.
     with st.popover(_("Download this route"), icon=":material/download:", key="files", on_change="rerun") as files:
         for kind, (label, suffix, mime) in FILES.items():
             if kind == "step" and not setting.is_lecture:
@@ -251,12 +251,12 @@ def take_home(setting: Setting) -> None:
             )
 
 
-# ---- what all routes have in common
+# ---- comparison of the routes
 
 
 @st.fragment(key="results")
 def compare() -> None:
-    """Draw the one result of all routes, and for each route a tick that leads to it."""
+    """Draw the common result of all routes, and for each route a check mark with a link."""
     st.header(_("All routes give the same frequency"), anchor=False)
     words, formulas = columns("results")
     with formulas:
@@ -276,7 +276,7 @@ def compare() -> None:
 
 
 def margin() -> None:
-    """Draw the notes on the paper; they are checked when someone wants to read them."""
+    """Draw the notes on the paper. They are checked when the expander opens."""
     notes = st.expander(_("Notes on the paper: a few lines to correct"), key="margin", on_change="rerun")
     if not notes.open:
         return

@@ -1,4 +1,4 @@
-"""What several screens of a class draw alike: votes, the right answer, what was learned, who is there, a QR code."""
+"""Elements that several screens of a class share: votes, right answer, results, attendance, QR code."""
 
 from collections import Counter
 from collections.abc import Mapping, Sequence
@@ -24,7 +24,7 @@ def show(access: str, stop: Stop, vote: Vote, solved: bool, chosen: str | None =
     access : the class's code
     stop : the question
     vote : the last one
-    solved : whether to say which answer is right, and how many have found it
+    solved : whether to show the right answer and its number of votes
     chosen : a student's own answer in the last vote
     """
     try:
@@ -45,7 +45,7 @@ def show(access: str, stop: Stop, vote: Vote, solved: bool, chosen: str | None =
         for option, text in stop.options.items():
             label, *places = st.columns(widths, gap="small")
             label.markdown(_label(text, option == right, option == chosen))
-            # Where the two lines are stacked, the style sheet shows their names in place of the headings.
+            # In a narrow chart the style sheet shows these names instead of the headings.
             named = (_("*First vote:* {share}"), _("*Second vote:* {share}")) if vote.is_second else ("{share}",)
             for place, votes, template in zip(places, all_votes, named, strict=True):
                 total = sum(votes.values())
@@ -55,7 +55,7 @@ def show(access: str, stop: Stop, vote: Vote, solved: bool, chosen: str | None =
 
 @st.cache_data(show_spinner=False, max_entries=256)
 def _result(access: str, stop: str, vote: Vote) -> tuple[Sequence[Mapping[str, int]], Counter[tuple[bool, bool]]]:
-    """Return the votes on a question, option → number, and the changes; what is revealed stays as it is."""
+    """Return the votes on a question, option → number, and the changes. A revealed result no longer changes."""
     votes = [shared().distribution(access, stop, Vote(vote.asking, number)) for number in range(1, vote.number + 1)]
     right = lesson.stop(stop).right
     return votes, shared().changes(access, stop, right, vote.asking) if vote.is_second else Counter()
@@ -74,21 +74,21 @@ def _label(label: str, right: bool, own: bool) -> str:
 
 
 def _share(people: int, total: int) -> str:
-    """Return how many of all who voted these people are."""
+    """Return the number and percentage of these voters."""
     share = quantity(round(100 * people / total) if total else 0, "%")
     # TRANSLATORS: how many chose this answer: 12 of 30, 40 %.
     return _("{people} of {total}, {share}").format(people=people, total=total, share=share)
 
 
 def _changes(changes: Counter[tuple[bool, bool]]) -> str:
-    """Return how many have changed their answers, each kind of change; nothing if nobody voted twice."""
+    """Return the number of changed answers of each kind; an empty text without a second vote."""
     kinds = {"up": (False, True), "down": (True, False), "both": (True, True)}
     said = _("**Changed to the right answer: {up}.** Changed to a wrong answer: {down}. Right both times: {both}.")
     return said.format(**{name: changes[kind] for name, kind in kinds.items()}) if changes else ""
 
 
 def comment(access: str, stop: Stop, vote: Vote) -> None:
-    """Name the wrong answer that most have chosen in the last vote, with the reply to it; nothing if nobody has."""
+    """Name the most frequent wrong answer of the last vote, with the reply to it. Do nothing without a wrong answer."""
     votes, right = _result(access, stop.id, vote)[0][-1], stop.right
     most = max((option for option in stop.options if option != right), key=votes.__getitem__)
     if votes[most]:
@@ -97,7 +97,7 @@ def comment(access: str, stop: Stop, vote: Vote) -> None:
 
 
 def learned(access: str) -> None:
-    """Draw how many were right at each question whose right answer was shown, before and after they had talked."""
+    """Draw the share of right answers before and after the discussion, for each question with a revealed answer."""
     asked = [each for each in shared().results(access, Phase.SOLVED) if lesson.has_stop(each.stop)]
     if not asked:
         st.markdown(_("No right answer was shown to this class."))
@@ -115,14 +115,14 @@ def learned(access: str) -> None:
 
 
 def _right(voted: Sequence[tuple[str, Mapping[str, int]]]) -> str:
-    """Return how many of all answers were right, of votes on stops by their ids."""
+    """Return the share of right answers in a vote on stops, given by their ids."""
     return _share(
         sum(votes[lesson.stop(stop).right] for stop, votes in voted), sum(sum(votes.values()) for _stop, votes in voted)
     )
 
 
 def explain(stop: Stop, chosen: str | None = None) -> None:
-    """Name the right answer and its reason; whoever has chosen another one reads a word on that first."""
+    """Name the right answer and its reason. If `chosen` is wrong, comment on it first."""
     if chosen and chosen != stop.right:
         st.markdown(_("**You chose:** {label}\\\n{reply}").format(label=stop.options[chosen], reply=stop.reply(chosen)))
     st.markdown(f":green[:material/check_circle:] **{stop.options[stop.right]}**")
@@ -130,12 +130,12 @@ def explain(stop: Stop, chosen: str | None = None) -> None:
 
 
 def unknown_stop() -> str:
-    """Return a sentence about a class whose present question this version of the app does not have."""
+    """Return a sentence about a class whose current question is missing in this version of the app."""
     return _("The class is at a question that this version of the app does not have.")
 
 
 def storage(expires: float) -> str:
-    """Return what is stored about the students of a class, in two sentences.
+    """Return a description of the stored data about the students of a class, in two sentences.
 
     Parameters
     ----------
@@ -147,7 +147,7 @@ def storage(expires: float) -> str:
 
 
 def answered(now: ClassQuestion) -> str:
-    """Return how many of those present have answered, as a sentence."""
+    """Return the number of students present and of answers, as a sentence."""
     said = ngettext(
         "{answered} of {present} here has answered.", "{answered} of {present} here have answered.", now.present
     ).format(answered=now.answered, present=now.present)
@@ -155,18 +155,18 @@ def answered(now: ClassQuestion) -> str:
 
 
 def joined(people: int) -> str:
-    """Return how many have joined, as a sentence."""
+    """Return the number of students who joined, as a sentence."""
     return ngettext("{n} student has joined.", "{n} students have joined.", people).format(n=people)
 
 
 def lately(seats: Seats) -> str:
-    """Return how many have joined in the last minute, as a sentence; nothing if nobody has."""
+    """Return the number of students who joined in the last minute, as a sentence; an empty text for none."""
     said = ngettext("{n} student joined in the last minute.", "{n} students joined in the last minute.", seats.lately)
     return said.format(n=seats.lately) if seats.lately else ""
 
 
 def taken(seats: Seats) -> str:
-    """Return how many seats there are, and how many of them are empty, as sentences."""
+    """Return the number of seats and of empty seats, as sentences."""
     said = ngettext("{n} seat is taken. Empty: {empty}.", "{n} seats are taken. Empty: {empty}.", seats.taken)
     return f"{said.format(n=seats.taken, empty=seats.taken - seats.present)} {lately(seats)}"
 

@@ -1,10 +1,10 @@
-"""The class on the lesson's page, where three screens play together: desk, phones, and the wall (`wall`).
+"""The class on the lesson's page, with three kinds of screens: desk, phones, and the wall (`wall`).
 
-    guests()      at the head of the page: a student's phone sees what the class is asked, and nothing else of the page
-    door()        where a visitor opens a class or joins one
+    guests()      at the top of the page: draws only the class on a student's phone
+    door()        the controls to open a class or to join one
     panel()       on the page of a stop: the lecturer's desk
 
-Every screen asks every few seconds what is new: one read by keys.
+Every screen polls the class every few seconds: one read by keys.
 """
 
 import time
@@ -27,31 +27,31 @@ from ramanujan.shell.class_session import attempt, key_held, leave, open_class, 
 from ramanujan.translation import _, ngettext
 
 DESK_EVERY, PHONE_EVERY = 2.0, 2.5
-"""Seconds between two looks at what is new, at the lecturer's desk and on a phone."""
+"""Interval at which a desk or a phone polls the class [s]."""
 
 _LONGEST_CODE = 20
 NOTHING_TO_SET = """<style>@media (width < 1000px) {
   :root:root:root { --drawer: 0px; --drawer-content: none; .st-key-bar { display: none; } }
 }</style>"""
-"""A rule for the phone of a student. One for all pages would need :has(), which makes styles twice as slow."""
+"""A style rule for the phone of a student. A rule for all pages would need :has(), which makes styles twice as slow."""
 # TRANSLATORS: names of keys as your keyboards have them.
 _KEY_NAMES = {"--page-up": _("PageUp"), "--page-down": _("PageDown")}
 KEY_NAMES = "<style>:root {{ {} }}</style>".format("; ".join(f'{key}: "{name}"' for key, name in _KEY_NAMES.items()))
-"""The names of the two keys beside the labels of the moves, for page.css. Streamlit writes them in English."""
+"""The names of the two keys in the labels of the moves, for page.css. Streamlit writes them in English."""
 _DRAWN = "class_drawn"
-"""Session state: the stop whose machine a phone was last drawn with, and whether it runs."""
+"""Session state: the stop whose machine the phone shows, and whether the machine runs."""
 _SEEN = "class_seen"
-"""Session state: the question at which this desk last saw the class."""
+"""Session state: the question of the class that this desk last read."""
 _ENDED = "class_ended"
-"""Session state: this desk has ended its class, and the lesson's first page still confirms it."""
+"""Session state: whether the desk has ended its class, and the first page of the lesson confirms it."""
 
 
 def guests(show: Callable[..., None]) -> None:
-    """Draw the page of a student, and end the run; for others do nothing.
+    """Draw the page of a student, and end the run; do nothing for others.
 
     Parameters
     ----------
-    show : draws a stop's machine as `stops.show` does
+    show : function that draws the machine of a stop, such as `stops.show`
     """
     class_session.arrive()
     if class_session.awaited():
@@ -75,7 +75,7 @@ def guests(show: Callable[..., None]) -> None:
             with above:
                 st.title(stop.heading, anchor=False)
                 st.markdown(stop.question)
-            # An open question keeps its options in view on a small phone. A machine that runs precedes the result.
+            # A small phone shows the options of an open question. Once the machine runs, it is above the result.
             with above if running else below:
                 show(stop, running, fixed=True)
         with suppress(ClassError):
@@ -84,7 +84,7 @@ def guests(show: Callable[..., None]) -> None:
 
 
 def door() -> None:
-    """Let a lecturer open a class, and a student join one; draw nothing for those who are in a class."""
+    """Draw the controls to open or to join a class; draw nothing in a class."""
     if key_held() or seat_held():
         return
     with st.popover(_("Class"), icon=":material/groups:", key="class_door"):
@@ -98,7 +98,7 @@ def door() -> None:
             if st.form_submit_button(_("Join"), type="primary"):
                 attempt(class_session.take_seat, code)
                 st.rerun()
-        # A student who typed a code looks here and does not see what stands below.
+        # The result of a typed code appears here, because a student may not see the rest of the page.
         if code:
             _warn()
         _for_lecturers()
@@ -111,7 +111,7 @@ def door() -> None:
 
 
 def _for_lecturers() -> None:
-    """Show how a class works, and open one."""
+    """Explain how a class works, with a button that opens one."""
     st.markdown(_("Lecturers: three screens play together."))
     screens = (
         (":material/co_present:", _("**The wall.** The projector shows the code, then the questions and results.")),
@@ -131,9 +131,9 @@ def _for_lecturers() -> None:
 
 
 def panel(stop: Stop, phase: Phase) -> None:
-    """Draw the lecturer's desk beside a page that shows a stop as far as the class has come with it.
+    """Draw the lecturer's desk next to a stop, in the current phase of the class.
 
-    Draw the options, or how the class has voted, and what can be done next.
+    Draw the options or the votes, and the buttons of the next moves.
     """
     key = key_held()
     if key is None:
@@ -145,7 +145,7 @@ def panel(stop: Stop, phase: Phase) -> None:
 
 @st.fragment(run_every=class_session.FOLLOWED_EVERY)
 def _follow_stage(code: str) -> None:
-    """Show what is seen at another desk of this class."""
+    """Mirror the view of another desk of this class."""
     class_session.follow(code)
 
 
@@ -165,7 +165,7 @@ def _warn() -> None:
 
 @st.fragment(run_every=DESK_EVERY)
 def _desk(stop: Stop | None, phase: Phase) -> None:
-    """Draw the desk beside a page that shows so much of the stop, or the end; where that has changed, run the page."""
+    """Draw the desk next to a stop in this phase, or at the end. Rerun the page when stop or phase has changed."""
     if (key := key_held()) is None:
         st.rerun()
     st.session_state.setdefault(_SEEN, None)
@@ -198,17 +198,17 @@ def _desk(stop: Stop | None, phase: Phase) -> None:
 
 
 def _follow(now: ClassQuestion, place: str) -> None:
-    """Go where another desk of this class has taken it."""
+    """Open the stop to which another desk has taken the class."""
     if now.stop != st.session_state[_SEEN]:
         st.session_state[_SEEN] = now.stop
         st.session_state[progress.STOP.name] = now.stop or place
-    # Also where this desk has gone on itself: its buttons rerun the desk alone.
+    # This also applies after a move of this desk, because its buttons rerun only the desk.
     if address.held(progress.STOP) != place:
         st.rerun()
 
 
 def _attendance(place: str, now: ClassQuestion) -> str:
-    """Return who is there and how many have answered, as a sentence."""
+    """Return attendance and number of answers, as a sentence."""
     if not now.is_known:
         return class_results.unknown_stop()
     if now.stop is None or now.stop == place == END:
@@ -221,7 +221,7 @@ def _attendance(place: str, now: ClassQuestion) -> str:
 
 
 def _moves(key: str, stop: Stop | None, now: ClassQuestion, last: ClassQuestion | None) -> None:
-    """Draw a button for each thing that the lecturer may do now; a clicker presses the first two, back and onward."""
+    """Draw a button for each possible move. A clicker presses the first two: back and forward."""
 
     def button(label: str, name: str, act: Callable, *more: object, keyed: str = "", disabled: bool = False) -> None:
         st.button(
@@ -246,7 +246,7 @@ def _moves(key: str, stop: Stop | None, now: ClassQuestion, last: ClassQuestion 
 
 
 def _onward(stop: Stop | None, now: ClassQuestion, last: ClassQuestion | None) -> tuple:
-    """Return label and name of the button that goes on, and what it does: a function of the key, and its arguments."""
+    """Return label, key, callback and arguments of the forward button."""
     if stop is None:
         return _("Show what the class has learned"), "finish", _finish
     if now.stop != stop.id:
@@ -264,7 +264,7 @@ def _onward(stop: Stop | None, now: ClassQuestion, last: ClassQuestion | None) -
 
 
 def _go_back(key: str, place: str) -> None:
-    """Take the class back by one view; where the class is elsewhere or has not been, this desk alone."""
+    """Take the class back by one view. If the class is at another stop, move only this desk."""
     code = parts_of(key)[0]
     now, previous = shared().question(code), progress.previous(place)
     if now.stop == place and now.phase > Phase.ASKED:
@@ -276,19 +276,19 @@ def _go_back(key: str, place: str) -> None:
 
 
 def _finish(key: str) -> None:
-    """Take the class to the end, and this desk with it."""
+    """Take the class and this desk to the end."""
     shared().finish(key)
     st.session_state[_SEEN] = st.session_state[progress.STOP.name] = END
 
 
 def _present(key: str, stop: Stop) -> None:
-    """Take the class to a stop, and this desk with it."""
+    """Take the class and this desk to a stop."""
     shared().ask(key, stop.id, list(stop.options))
     st.session_state[_SEEN] = st.session_state[progress.STOP.name] = stop.id
 
 
 def _foot(key: str, code: str) -> None:
-    """Draw the code, the addresses of the other screens, the votes as a file, and what ends a class."""
+    """Draw the code, the links to the other screens, the votes as a file, and the controls that end a class."""
     st.text(spaced(code), width="content")
     st.link_button(
         _("Open the wall"),
@@ -307,7 +307,7 @@ def _foot(key: str, code: str) -> None:
 
 
 def _votes(key: str, name: str) -> None:
-    """Offer the votes of the class as a file for a spreadsheet, and as one for programs."""
+    """Offer the votes of the class as a CSV file and as a JSON file."""
     asked, file = shared().results_for_lecturer(key), f"class-{parts_of(key)[0]}"
     files = (
         (_("Download for a spreadsheet"), as_spreadsheet(asked), f"{file}-spreadsheet.csv", f"{name}_spreadsheet"),
@@ -318,7 +318,7 @@ def _votes(key: str, name: str) -> None:
 
 
 def _seats(key: str) -> None:
-    """Draw who sits in the class, and the controls against somebody who fills it with seats."""
+    """Draw the number of seats, and the controls against a visitor who takes many seats."""
     seats = shared().seats(key)
     st.markdown(class_results.taken(seats))
     label = _("Let nobody else join") if seats.is_open else _("Let students join again")
@@ -333,7 +333,7 @@ def _seats(key: str) -> None:
 
 
 def _ending(key: str) -> None:
-    """Offer to end the class, with its expiry date and a last download."""
+    """Draw the button that ends the class, its expiry date and a last download."""
 
     def end() -> None:
         shared().close(key)
@@ -358,7 +358,7 @@ def _ending(key: str) -> None:
 
 @st.fragment(run_every=PHONE_EVERY)
 def _waiting() -> None:
-    """Try again to join: many students of one network come at once, and each gets a seat in turn."""
+    """Retry joining. Students of one network arrive together, and each gets a seat in turn."""
     if code := class_session.awaited():
         attempt(class_session.take_seat, code)
     code = class_session.awaited()
@@ -372,26 +372,26 @@ def _waiting() -> None:
 
 
 def _leaving() -> None:
-    """Draw the button with which a student leaves the class."""
+    """Draw the button that leaves the class."""
     st.button(_("Leave the class"), key="class_leave", type="tertiary", on_click=leave)
 
 
 @st.fragment(run_every=PHONE_EVERY)
 def _phone() -> None:
-    """Draw the student’s present question, and look every few seconds whether it is still that one."""
+    """Draw the current question of the student, and poll the class every few seconds for a new one."""
     if (seat := seat_held()) is None:
         st.rerun()
     try:
         question = class_session.question(seat.code)
         chosen = shared().answer_of(seat, question)
     except SeatError:
-        # The lecturer has removed the empty seats while this phone slept.
+        # The lecturer removed the empty seats while this phone was inactive.
         attempt(class_session.take_seat, seat.code)
         st.rerun()
     except ClassError as error:
         st.warning(str(error))
     else:
-        # Question and machine stand outside of what is drawn every few seconds.
+        # Question and machine are outside of the fragment that reruns every few seconds.
         if _seen(question) != st.session_state[_DRAWN]:
             st.rerun()
         class_session.follow(seat.code)
@@ -400,7 +400,7 @@ def _phone() -> None:
 
 
 def _offer_own_tab(code: str) -> None:
-    """Offer the class in a tab of its own if this page, in a frame, does not recognize its browser after a reload."""
+    """Offer a separate tab if this page is in a frame where it cannot recognize its browser after a reload."""
     if class_session.forgets_seat():
         st.warning(
             _(
@@ -412,7 +412,7 @@ def _offer_own_tab(code: str) -> None:
 
 
 def _seen(question: ClassQuestion | None) -> tuple[str, bool] | None:
-    """Return the stop whose machine a class sees, and whether it runs; None where the class sees none."""
+    """Return the stop whose machine the class sees, and whether it runs; None if the class sees no machine."""
     return (question.stop, question.phase >= Phase.RUNNING) if question and question.stop not in (None, END) else None
 
 
@@ -437,7 +437,7 @@ def _asked(seat: Seat, question: ClassQuestion, chosen: str | None) -> None:
 
 
 def _closed_vote(seat: Seat, stop: Stop, question: ClassQuestion, chosen: str | None) -> None:
-    """Draw a question whose result has been shown: the result if it is shown now, the own vote, why voting is over."""
+    """Draw a closed question: the result if it is visible now, the student's vote, and why voting is closed."""
     _warn()
     is_solved = question.phase == Phase.SOLVED
     if is_solved:
@@ -452,7 +452,7 @@ def _closed_vote(seat: Seat, stop: Stop, question: ClassQuestion, chosen: str | 
 
 
 def _own_vote(seat: Seat, stop: Stop, question: ClassQuestion, chosen: str | None) -> str:
-    """Return whether the student's vote was counted, and why no vote is accepted any more, as sentences."""
+    """Return whether the student's vote was counted, and why voting is closed, as sentences."""
     if chosen:
         return _("Your answer was counted. The result has been shown, so it can no longer be changed.")
     if question.vote.is_second:
@@ -466,11 +466,11 @@ def _own_vote(seat: Seat, stop: Stop, question: ClassQuestion, chosen: str | Non
 
 
 def _open_vote(stop: Stop, question: ClassQuestion, chosen: str | None) -> None:
-    """Draw the options of an open question, with a confirmation at the one that the student chose."""
+    """Draw the options of an open question, with a confirmation at the student's answer."""
     if question.vote.is_second:
         st.markdown(_("**Second vote.** Talk to your neighbours, then answer again."))
     key = f"class_answer_{stop.id}_{question.vote.asking}_{question.vote.number}"
-    # The database decides, also after a reload and after an answer that came too late.
+    # The database decides, also after a reload and after a late answer.
     if st.session_state.get(key) != chosen:
         st.session_state[key] = chosen
     confirmation = _("Your answer counts. You can change it until the result is shown.")

@@ -1,6 +1,6 @@
 """Page 6: the lesson. One stop at a time: predict, observe, explain; tasks; the lecturer's notes.
 
-Before a prediction nothing of the answer is on the page: it is not drawn, not said, and not sent (`stops`).
+Before a prediction the answer is neither drawn nor sent to the browser (`stops`).
 """
 
 import streamlit as st
@@ -15,7 +15,7 @@ from ramanujan.shell.sections import exercise, tasks
 from ramanujan.translation import _, ngettext
 
 URL_PARAMETERS = (*progress.URL_PARAMETERS, *tasks.URL_PARAMETERS, *exercise.URL_PARAMETERS)
-# The numbers of stops whose notes, and whose results, fill a slide of a projector.
+# The numbers of stops whose notes, or whose results, fill a slide of the projector view.
 _NOTES, _LINES = 3, 9
 ENDING = _("What you have seen")
 _ONWARDS = {
@@ -34,12 +34,12 @@ def show() -> None:
         exercise.show(items)
     else:
         lesson_parts()
-    # Also the parameters of parts that are not drawn now.
+    # These include the parameters of parts that are hidden now.
     address.keep(*URL_PARAMETERS)
 
 
 def lesson_parts() -> None:
-    """Draw the choice between stops, tasks and notes, and the one that is chosen."""
+    """Draw the choice between stops, tasks and notes, and the selected part."""
     with st.container(horizontal=True, vertical_alignment="center", gap="medium", key="lesson_head"):
         part = widgets.segmented_control(progress.PART, _("Part of the lesson"), label_visibility="collapsed")
         head = st.container(key="turner")
@@ -49,12 +49,12 @@ def lesson_parts() -> None:
 
 
 def uses_sidebar() -> bool:
-    """Tell whether the reader sets the machine, as the tasks ask, or wants to at a stop."""
+    """Return whether the reader sets the machine: in a task, or on request at a stop."""
     return address.held(progress.PART) == "tasks" or bool(address.held(exercise.EXERCISE)) or stops.sliders_wanted()
 
 
 def withheld() -> tuple[str, ...]:
-    """Return the presets that are not offered: none would leave a question or a task as it is."""
+    """Return the presets that the sidebar omits: all, except at a stop whose right answer is visible."""
     class_session.arrive()
     if address.held(exercise.EXERCISE):
         return tuple(sidebar.PRESETS)
@@ -66,7 +66,7 @@ def withheld() -> tuple[str, ...]:
 
 
 def walk(head: st.delta_generator.DeltaGenerator) -> None:
-    """Draw the present stop or the end, and in the head what turns to another one."""
+    """Draw the current stop or the end, and at the top the buttons that select another one."""
     path = progress.path()
     places = [*(stop.id for stop in path), progress.END]
     number = places.index(address.held(progress.STOP)) + 1
@@ -76,7 +76,7 @@ def walk(head: st.delta_generator.DeltaGenerator) -> None:
             turn(places[to - 1])
 
     with head:
-        # At the desk of a class a clicker presses the button of the next move.
+        # At the desk of a class, a clicker presses the button of the next move instead.
         components.turn(
             [*(stop.heading for stop in path), ENDING],
             number,
@@ -93,7 +93,7 @@ def walk(head: st.delta_generator.DeltaGenerator) -> None:
 
 
 def turn(place: str) -> None:
-    """Go to a stop, or to the end, in a callback."""
+    """Select a stop or the end, in a callback."""
     stops.forget_question()
     st.session_state[progress.STOP.name] = place
     if place != progress.END:
@@ -102,7 +102,7 @@ def turn(place: str) -> None:
 
 
 def ending(path: tuple[lesson.Stop, ...]) -> None:
-    """Draw the end: of every stop that was answered the right answer, and what was predicted instead."""
+    """Draw the end: each answered stop with the right answer and the prediction."""
     right, answered, lines = 0, 0, []
     for stop in path:
         chosen, phase = progress.prediction(stop)
@@ -135,15 +135,15 @@ def ending(path: tuple[lesson.Stop, ...]) -> None:
 
 
 def work(head: st.delta_generator.DeltaGenerator) -> None:
-    """Draw the present task, and in the head the choice of another one."""
+    """Draw the current task, and at the top the choice of another one."""
     with head:
         name = widgets.selectbox(progress.TASK, _("Task"), label_visibility="collapsed")
     tasks.draw(lesson.task(name))
 
 
 def notes(_head: st.delta_generator.DeltaGenerator) -> None:
-    """Draw the lecturer's notes, and the choice between all stops and a few."""
-    # At the desk of a class the notes are open; a reader is told first what they contain.
+    """Draw the lecturer's notes, and the choice between all stops and a short lesson."""
+    # At the desk of a class the notes are open. A reader first gets a warning that they contain answers.
     label = _("Show the notes on all stops. They name the right answers.")
     with slide("notes", _("Lecturer’s notes")):
         _begin_notes()

@@ -1,4 +1,4 @@
-"""How far a reader has come in the lesson: the URL parameters, held in the session, and the predictions."""
+"""The reader's progress in the lesson: the URL parameters in the session, and the predictions."""
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field
@@ -12,8 +12,8 @@ from ramanujan.shell import address, class_session
 from ramanujan.translation import _
 
 ASKED, PREDICTED, MISSED, ANSWERED = "asked", "predicted", "missed", "answered"
-"""Of a stop: nothing is chosen; something is, but the machine stands still; it ran, and the choice was wrong, but the
-right answer is not named; it is."""
+"""State of a stop: no option selected; an option selected, machine at rest; wrong option, machine running, right answer
+hidden; right answer shown."""
 
 PART = address.Choice("part", {"stops": _("Stops"), "tasks": _("Tasks"), "notes": _("Lecturer’s notes")}, "stops")
 STOP = address.Choice("stop", (*(stop.id for stop in lesson.STOPS), END), lesson.STOPS[0].id)
@@ -23,9 +23,9 @@ LENGTH = address.Choice("stops", ("short", "all"))
 
 @dataclass(frozen=True)
 class Predictions(address.URLParameter):
-    """Predictions in the address: stop → option and how far the reader has come with it.
+    """Predictions in the address: stop → option and progress of the reader.
 
-    In the address: block.opposite~radius.same.predicted; without a third word, the answer was shown.
+    In the address: block.opposite~radius.same.predicted; without a third word, the right answer was shown.
     """
 
     name: str
@@ -34,7 +34,7 @@ class Predictions(address.URLParameter):
     refused = _("The value of {name} in the address was ignored: it must list predictions, such as {example}.")
 
     def read(self, text: str) -> dict[str, tuple[str, str]]:
-        """Return the predictions; ValueError if the text is no such list."""
+        """Return the predictions. Raise `ValueError` for an invalid text."""
         made = {}
         options = {stop.id: stop.options for stop in lesson.STOPS}
         for entry in text.split("~"):
@@ -45,7 +45,7 @@ class Predictions(address.URLParameter):
         return made
 
     def write(self, made: Mapping[str, tuple[str, str]]) -> str:
-        """Return the predictions as the address has them."""
+        """Return the text of the predictions in the address."""
         return "~".join(".".join((stop, *said)).removesuffix(f".{ANSWERED}") for stop, said in made.items())
 
 
@@ -54,32 +54,32 @@ URL_PARAMETERS = (PART, STOP, TASK, LENGTH, CHOSEN)
 
 
 def prediction(stop: Stop) -> tuple[str | None, str]:
-    """Return the option that was chosen at a stop, if any, and how far the reader has come with it."""
+    """Return the selected option of a stop, if any, and its progress."""
     return address.held(CHOSEN).get(stop.id, (None, ASKED))
 
 
 def predict(stop: Stop, option: str | None, phase: str = PREDICTED) -> None:
-    """Make a prediction, take it back, or go on with it."""
+    """Write, delete or advance the prediction for a stop."""
     made = {name: chosen for name, chosen in address.held(CHOSEN).items() if name != stop.id}
     st.session_state[CHOSEN.name] = made | ({stop.id: (option, phase)} if option else {})
 
 
 def path() -> tuple[Stop, ...]:
-    """Return the stops of this lesson: all, or the few that fill a lecture with votes; the present one among them."""
+    """Return the stops of this lesson: all, or those of a short lecture and the current one."""
     asked = address.held(LENGTH) or ("short" if class_session.key_held() else "all")
     now = address.held(STOP)
     return tuple(stop for stop in lesson.STOPS if asked == "all" or stop.short or stop.id == now)
 
 
 def following(stop: Stop) -> Stop | None:
-    """Return the stop after this one, None after the last."""
+    """Return the next stop; None after the last."""
     stops = path()
     at = stops.index(stop) + 1
     return stops[at] if at < len(stops) else None
 
 
 def previous(place: str) -> Stop | None:
-    """Return the stop before this one, or before the end; None before the first."""
+    """Return the previous stop, also before the end; None before the first."""
     stops = path()
     at = len(stops) if place == END else [stop.id for stop in stops].index(place)
     return stops[at - 1] if at else None

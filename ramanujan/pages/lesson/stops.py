@@ -1,7 +1,7 @@
 """One stop of the lesson on the page: predict, observe, explain.
 
-The sliders hold the stop’s machine, so that a reader may change it afterwards and watch. Before the prediction the
-stage gets neither what `stop.hides` names nor the samples of a computed motion, and the explanation is not worked out.
+The sliders have the values of the stop’s machine, so that a reader can change it afterwards. Before the prediction the
+stage receives neither the parts in `stop.hides` nor a computed motion, and the explanation is not computed.
 """
 
 import math
@@ -26,23 +26,23 @@ from ramanujan.translation import _
 
 _PLACES = ("hoop", "cylinder", "top")
 _SEVERAL = {2: "two", 3: "three"}
-"""Number of machines to compare → the name by which the style sheets know how they stand."""
+"""Number of machines → their arrangement in the style sheets."""
 _LOADED = "lesson_loaded"
-"""Session state: the stop whose machine the sliders have been given, and whether it had been predicted by then."""
+"""Session state: the stop whose machine was last loaded into the sliders, and whether it was predicted then."""
 _ASKED = "lesson_asked"
-"""Session state: the stop whose reader wanted to go on without a check of the prediction, and was asked."""
+"""Session state: the stop at which the confirmation for an unchecked prediction was shown."""
 _SLIDERS = "lesson_sliders"
-"""Session state: how often the reader has asked for the sliders."""
+"""Session state: how often the reader has opened the sliders."""
 
 
 def load(stop: Stop, runs: bool) -> None:
-    """Give the sliders the machine of a stop, in the run that follows."""
+    """Set the sliders to the machine of a stop in the next run."""
     st.session_state[_LOADED] = (stop.id, runs)
     sidebar.take_machine(stop.shown if runs else stop.machine, stop.compression)
 
 
 def arrive(stop: Stop, runs: bool) -> None:
-    """Give the sliders the machine of a stop that a link or another page has led to, unless the link says another."""
+    """Set the sliders to the machine of a newly opened stop, unless the link contains another machine."""
     if st.session_state.get(_LOADED) == (stop.id, runs):
         return
     st.session_state[_LOADED] = (stop.id, runs)
@@ -52,19 +52,19 @@ def arrive(stop: Stop, runs: bool) -> None:
 
 
 def runs(phase: str) -> bool:
-    """Tell whether the machine runs: the reader has predicted what it does, and asked to see it."""
+    """Return whether the machine runs: the reader has made a prediction and started the machine."""
     return phase in (progress.MISSED, progress.ANSWERED)
 
 
 def go_on(stop: Stop, option: str | None, phase: str) -> None:
-    """Take a prediction, or take it back, or go on with it, in a callback."""
+    """Make, delete or advance a prediction, in a callback."""
     forget_question()
     progress.predict(stop, option, phase)
     load(stop, runs(phase))
 
 
 def asks_first(stop: Stop) -> bool:
-    """Ask once whoever wants to go on without a check of the prediction; return whether this is asked now."""
+    """Request confirmation once before the reader leaves an unchecked prediction; return whether this call does."""
     unchecked = progress.prediction(stop)[1] == progress.PREDICTED and class_session.phase_of(stop) is None
     if not unchecked or asked_about() == stop.id:
         return False
@@ -73,17 +73,17 @@ def asks_first(stop: Stop) -> bool:
 
 
 def asked_about() -> str:
-    """Return the stop whose reader was asked, empty if nobody was."""
+    """Return the stop whose confirmation was shown; an empty text if there is no such stop."""
     return st.session_state.get(_ASKED, "")
 
 
 def forget_question() -> None:
-    """Let the reader be asked again."""
+    """Allow the confirmation to appear again."""
     st.session_state.pop(_ASKED, None)
 
 
 def sliders_wanted() -> bool:
-    """Tell whether the reader has asked for the sliders."""
+    """Return whether the reader has opened the sliders."""
     return _SLIDERS in st.session_state
 
 
@@ -92,23 +92,23 @@ def _want_sliders() -> None:
 
 
 def is_answered(stop: Stop) -> bool:
-    """Tell whether the page may show the right answer: the reader has asked for it, or the class has seen it."""
+    """Return whether the page may show the right answer: on the reader's request, or after the class has seen it."""
     seen = class_session.phase_of(stop)
     return progress.prediction(stop)[1] == progress.ANSWERED if seen is None else seen == Phase.SOLVED
 
 
 def draw(stop: Stop, number: int) -> None:
-    """Draw a stop, the one of that number."""
+    """Draw the stop with this number."""
     chosen, phase = progress.prediction(stop)
     seen = class_session.phase_of(stop)
     if seen is not None:
         # A lecturer’s page predicts with the class, and shows nothing before the class has seen it.
         phase = {Phase.RUNNING: progress.MISSED, Phase.SOLVED: progress.ANSWERED}.get(seen, progress.ASKED)
     running = runs(phase)
-    # On a projector the machine has a slide of its own with the reason, once it runs.
+    # In the projector view the running machine and the reason have their own slide.
     apart = display_mode.is_projector() and (running or (seen is not None and not stop.exhibit))
     with slide("question", stop.heading):
-        # On a projector the question needs all of the width, but an exhibit all of the height.
+        # In the projector view the question needs the full width, but an exhibit needs the full height.
         above = st.container() if display_mode.is_projector() and not stop.exhibit else None
         if apart:
             words = picture = reason = st.container()
@@ -144,12 +144,12 @@ def draw(stop: Stop, number: int) -> None:
             if sliders_wanted():
                 components.publish("sliders_published", {"sliders": st.session_state[_SLIDERS]})
     with picture:
-        # What the stage of a desk tells reruns nothing else.
+        # A message of the desk's stage reruns only this fragment.
         st.fragment(show)(stop, running)
 
 
 def show(stop: Stop, running: bool, fixed: bool = False) -> None:
-    """Draw what a stop shows: its exhibit, if any, and its machines; where they are fixed, no hand drags them."""
+    """Draw the exhibit of a stop, if any, and its machines; `fixed` machines cannot be dragged."""
     if stop.exhibit:
         st.markdown(stop.outcome if running and stop.outcome else stop.exhibit)
     with st.container(key=f"observed_{_arrangement(stop, running)}"):
@@ -159,7 +159,7 @@ def show(stop: Stop, running: bool, fixed: bool = False) -> None:
 def places(
     stop: Stop, running: bool
 ) -> tuple[AbstractContextManager[Any], AbstractContextManager[Any], AbstractContextManager[Any]]:
-    """Return where words, picture and reason stand; machines side by side need all of the width."""
+    """Return the containers for words, picture and reason. Machines in a row need the full width."""
     if _arrangement(stop, running) in _SEVERAL.values():
         return st.container(), st.container(), st.container()
     if display_mode.is_projector():
@@ -170,7 +170,7 @@ def places(
 
 
 def _arrangement(stop: Stop, running: bool) -> str:
-    """Return by what the style sheets know how much room the picture takes."""
+    """Return the key with which the style sheets select the size of the picture."""
     if len(stop.runs) > 1 and running:
         return _SEVERAL[len(stop.runs)]
     return "part" if stop.dials or stop.exhibit else "one"
@@ -192,10 +192,10 @@ def ask(stop: Stop) -> None:
 
 
 def judge(stop: Stop, chosen: str, phase: str) -> None:
-    """Say what was predicted; once the machine has run, whether that is right; and only if asked, what else is."""
+    """Name the prediction; after the run, judge it; show the right answer only on request."""
     right = chosen == stop.right
     own = _("**Your prediction:** {option}").format(option=stop.options[chosen])
-    # A phone shows this part above the machine.
+    # On a phone this part is above the machine.
     with st.container(key="judged"):
         if phase == progress.PREDICTED:
             said = own
@@ -217,19 +217,19 @@ def judge(stop: Stop, chosen: str, phase: str) -> None:
         elif not right:
             said = stop.options[stop.right]
             st.markdown(_(":green[:material/check_circle: **Right answer:**] {option}").format(option=said))
-    # With the button that was clicked the focus has gone: who cannot see the page is told here.
+    # The clicked button has disappeared with the focus, so announce the result to a screen reader.
     components.publish(f"told_{stop.id}_published", {"announce": {"sentence": said, "urgent": True}})
 
 
 def _moves(stop: Stop, chosen: str, label: str, phase: str) -> None:
-    """Draw the button that goes on, and the one that goes back to the options as long as the answer is not shown."""
+    """Draw the button that continues, and the one that reopens the options while the answer is hidden."""
     with st.container(horizontal=True, gap="small"):
         st.button(label, key=f"on_{stop.id}", type="primary", on_click=partial(go_on, stop, chosen, phase))
         st.button(_("Predict again"), key=f"again_{stop.id}", on_click=partial(go_on, stop, None, progress.ASKED))
 
 
 def why(stop: Stop) -> None:
-    """Say why the right option is right, and where all of it is seen."""
+    """Explain the right option, and link to the page with the details."""
     st.markdown(stop.explanation())
     label, page, query = stop.onward
     if not display_mode.is_projector():
@@ -237,7 +237,7 @@ def why(stop: Stop) -> None:
 
 
 def _compare_hands(stop: Stop) -> None:
-    """Draw a button that takes both hands to the moment of the question."""
+    """Draw a button that sets both hands to the moment of the question."""
     machine = sidebar.oscillator()
     time = stop.periods * 2 * math.pi * math.sqrt(machine.m / machine.k)
     label = _("Show the hands after {n} periods").format(n=stop.periods)
@@ -245,10 +245,10 @@ def _compare_hands(stop: Stop) -> None:
 
 
 def observe(stop: Stop, running: bool, fixed: bool) -> None:
-    """Draw the machine as the sliders have it, or after the prediction all machines of the stop, on one clock."""
+    """Draw the machine of the sliders, or after the prediction all machines of the stop with a common clock."""
     several = len(stop.runs) > 1
     hidden = [layer for layer in stage.LAYERS if layer not in stop.layers] if running else {*stop.hides, *stage.LAYERS}
-    # A machine with a label belongs to the stop; another one follows the sliders.
+    # A labelled machine belongs to the stop; one without a label follows the sliders.
     labelled = bool(stop.runs[0].label)
     own: dict[str, Any] = {"watch": {}} if labelled else {}
     if fixed or labelled:
@@ -273,7 +273,7 @@ def observe(stop: Stop, running: bool, fixed: bool) -> None:
 
 
 def payload(run: Run, machine: Oscillator, compression: float, running: bool) -> dict[str, object]:
-    """Return what the stage is sent of a run; before the prediction, the released machine alone."""
+    """Return the data of a run for the stage; before the prediction, only the machine at release."""
     slips = run.slipping and running
     return stage.payload(
         machine,
@@ -286,7 +286,7 @@ def payload(run: Run, machine: Oscillator, compression: float, running: bool) ->
 
 
 def _caption(stop: Stop, running: bool) -> str:
-    """Return what the sliders have to do with the picture."""
+    """Return the caption about the sliders and the picture."""
     if stop.runs[0].label:
         return _("The sliders do not change what is shown here.")
     machine = stop.shown if running else stop.machine

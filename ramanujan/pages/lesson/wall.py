@@ -1,7 +1,7 @@
 """The wall of a class: one large, read-only page for the projector that follows the lecturer's desk.
 
-Before the first question it shows how to join. Then the question and the votes extend across the wall, and the machine
-takes the height below them. At the end it shows what the class has learned. It contains no key of the lecturer.
+Before the first question it shows how to join. Then it shows the question and the votes, with the machine below them.
+At the end it shows the results of the class. It contains no key of the lecturer.
 """
 
 import streamlit as st
@@ -18,7 +18,7 @@ from ramanujan.translation import _
 WALL_STYLE = (
     "<style>html:root { font-size: 3.55vh } #root#root :is(.st-key-pager, header) { visibility: hidden }</style>"
 )
-"""Letters of at least 3.5 % of the height, and no pager: nobody turns pages on a wall.
+"""Letters of at least 3.5 % of the height, and no pager, because nobody turns pages on a wall.
 
 A style sheet for all pages would need :has(), which adds 2 s to the loading time of Motion.
 """
@@ -60,7 +60,7 @@ def _draw(code: str) -> None:
 
 
 def _show(code: str, stop: Stop, question: ClassQuestion) -> None:
-    """Draw a question and its votes across the wall, and the machine below them in the height that is left."""
+    """Draw a question and its votes across the wall, with the machine in the remaining height."""
     is_solved = question.phase == Phase.SOLVED
     is_running = question.phase >= Phase.RUNNING
     with st.container(key="wall_asked" if question.phase == Phase.ASKED else "wall_told"):
@@ -84,7 +84,7 @@ def _show(code: str, stop: Stop, question: ClassQuestion) -> None:
 
 @st.fragment(run_every=class_session.FOLLOWED_EVERY)
 def _watch(code: str) -> None:
-    """Draw the numbers that change all the time. Rerun the page when the class goes on or ends, and once more later."""
+    """Draw the numbers that change often. Rerun the page when the class moves on or ends, and once more later."""
     try:
         now = class_session.question(code)
     except ClassError as error:
@@ -111,7 +111,7 @@ def _watch(code: str) -> None:
 
 
 def _look_back(code: str) -> None:
-    """Draw what the class has learned, and where the whole lesson is; the code of the class has gone."""
+    """Draw the results of the class and the address of the whole lesson, without the code of the class."""
     here = address.link_for_others({})
     table, words = display_mode.picture_and_words()
     with table:
@@ -124,7 +124,7 @@ def _look_back(code: str) -> None:
 
 
 def _how_to_join(code: str) -> None:
-    """Draw code and address so that the last row can read them."""
+    """Draw code and address in letters for the last row."""
     here = address.link_for_others({"class": code})
     picture, words = display_mode.picture_and_words(2)
     with picture:
@@ -132,7 +132,7 @@ def _how_to_join(code: str) -> None:
     with words, st.container(key="class_invitation"):
         st.title(_("Join the class"), anchor=False)
         st.markdown(_("On your phone, open"))
-        # As plain text: an address is whatever the browser says it is.
+        # Use plain text, because the address comes from the browser.
         st.container(key="class_address").text(f"{here.netloc}{here.path}")
         st.markdown(_("then choose **Class** and type"))
         st.container(key="class_letters").text(spaced(code))

@@ -1,4 +1,4 @@
-"""The caches of the page Motion: the motion and its figures, for the settings that were asked for."""
+"""The caches of page 3: the motion and its figures for the current settings."""
 
 import math
 from collections.abc import Mapping
@@ -18,12 +18,12 @@ from ramanujan.shell import theme
 from ramanujan.translation import _
 
 PERIODS = 2
-"""How many periods of the machine the figures show."""
+"""Number of periods of the machine in the figures."""
 
 HEIGHT = 1080
-"""Pixels: any figure can be opened to fill the screen."""
+"""Width of a figure in pixels when it fills the screen."""
 POINTS = math.ceil(2 * math.pi * PERIODS / math.acos(1 - 1 / HEIGHT)) + 1
-"""The fewest points whose chords miss a cosine with two cycles in a period, as an energy has, by at most half a pixel.
+"""Points per period for which the chords of a cosine with two cycles, such as an energy, err by at most half a pixel.
 
 A chord misses its arc at a crest by ½·height·(1 − cos ½δ), where δ is the step of the cosine's phase.
 """
@@ -36,10 +36,10 @@ CONTACTS = {
 }
 """Contact → the two bodies that touch there."""
 _CM = 100.0
-# Hoop and lower cylinder move alike: one is drawn broad, the other dashed upon it, and one name stands for both.
+# Hoop and lower cylinder move together: one line is broad, the other dashed on top of it, with one common label.
 _LINES = {"hoop": {"width": 5.0, "label": _("lower<br>rollers")}, "cylinder": {"dash": "6px 6px", "label": ""}}
 _ENERGIES = {"": _("{body}"), "translation": _("{body}, translation"), "rotation": _("{body}, rotation")}
-"""Kind of energy → its name for a body."""
+"""Kind of energy → template for the name of a body's energy."""
 
 
 def energy_name(key: str) -> str:
@@ -64,13 +64,13 @@ def record(machine: Oscillator, compression: float, glide: float, spin: float) -
 
 @st.cache_resource(show_spinner=False, max_entries=64)
 def figures(view: str, light_or_dark: str, *setting: Oscillator | float) -> tuple[Drawn, ...]:
-    """Return the figures of a view, a key of `VIEWS`, in the present theme; the setting is that of `record`."""
+    """Return the figures of a view, a key of `VIEWS`, in the current theme; `setting` as for `record`."""
     motion, colors = record(*setting), theme.colors()
     return tuple(draw(motion, colors) for draw in VIEWS[view])
 
 
 def _displacements(motion: Record, colors: Mapping[str, str]) -> Drawn:
-    """Draw where the bodies are, relative to the ground and to the block."""
+    """Draw the displacements of the bodies relative to the ground and to the block."""
     places = (
         (_("relative to the ground"), motion.ground_positions),
         (_("relative to the block"), motion.relative_positions),
@@ -83,7 +83,7 @@ def _displacements(motion: Record, colors: Mapping[str, str]) -> Drawn:
 
 
 def _orbits(motion: Record, colors: Mapping[str, str]) -> Drawn:
-    """Draw one orbit for each coordinate: slab and top cylinder relative to the block, the block to the ground."""
+    """Draw one orbit for each coordinate: slab and top cylinder relative to the block, block relative to the ground."""
     to_block = motion.relative_positions, motion.relative_velocities
     shown = {"slab": to_block, "block": (motion.ground_positions, motion.ground_velocities), "top": to_block}
     curves = [_of_body(body, _CM * x[body], colors) for body, (x, _v) in shown.items()]
@@ -92,7 +92,7 @@ def _orbits(motion: Record, colors: Mapping[str, str]) -> Drawn:
 
 
 def _energy(motion: Record, colors: Mapping[str, str]) -> Drawn:
-    """Draw the energies of all bodies by kind, one upon the other, below their constant sum."""
+    """Draw the energies of all bodies by kind as a stack below their constant sum."""
     curves = []
     for key, values in motion.energies.items():
         body, _between, kind = key.partition("_")
@@ -100,12 +100,12 @@ def _energy(motion: Record, colors: Mapping[str, str]) -> Drawn:
         curves.append(replace(curve, name=energy_name(key)))
     total = 1e3 * motion.total_energy
     curves.append(Curve(_("total energy"), total, colors["ink"], _("total energy"), colors["ink"], width=3))
-    # A sixth above the total is room for the names of the periods.
+    # Leave a sixth above the total for the names of the periods.
     return _over_time(motion, [Panel(_("energy"), "mJ", curves, (0.0, float(total[0]) * 7 / 6))], colors)
 
 
 def _momentum(motion: Record, colors: Mapping[str, str]) -> Drawn:
-    """Draw the momentum of each body, which oscillates, and the two conserved ones, which are flat."""
+    """Draw the momentum of each body, which oscillates, and the two conserved momenta, which are constant."""
     curves = [
         _of_body(body, values, colors, **{**_LINES.get(body, {}), "width": 1.5})
         for body, values in motion.body_momenta.items()
@@ -134,7 +134,7 @@ VIEWS = {
     "momentum": (_momentum,),
     "forces": (_contacts,),
 }
-"""View → what draws its figures."""
+"""View → function that draws its figures."""
 
 
 def _contact_curve(contact: str, values: np.ndarray, colors: Mapping[str, str]) -> Curve:

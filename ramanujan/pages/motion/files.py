@@ -1,4 +1,4 @@
-"""The file of the page Motion for a spreadsheet: the settings, then every series under a header in words."""
+"""The CSV file of page 3: the settings, then every series under a header in words."""
 
 from collections.abc import Iterable
 
@@ -11,7 +11,7 @@ from ramanujan.translation import _
 
 
 def sheet(motion: Record, friction_coefficient: float, settings: Iterable[tuple[str, float]]) -> str:
-    """Return a record as a file for a spreadsheet.
+    """Return a record as a CSV file.
 
     Parameters
     ----------
@@ -51,7 +51,7 @@ def columns(motion: Record) -> dict[str, Iterable[float]]:
 
 
 def _results(motion: Record, friction_coefficient: float) -> list[tuple[str, Cell]]:
-    """Return what follows from the settings: labels with units, and values."""
+    """Return the results for the settings: labels with units, and values."""
     needed = required_friction(motion.oscillator, motion.compression, spacing=motion.spacing)
     largest = largest_compression(motion.oscillator, friction_coefficient, spacing=motion.spacing)
     contact = _("friction coefficient that this contact needs: {name}")
@@ -65,5 +65,5 @@ def _results(motion: Record, friction_coefficient: float) -> list[tuple[str, Cel
 
 
 def _by(names: dict[str, str], values: dict) -> dict:
-    """Return values under the names of their keys."""
+    """Return the values by the names of their keys."""
     return {names[key]: each for key, each in values.items()}

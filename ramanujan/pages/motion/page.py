@@ -1,4 +1,4 @@
-"""Page 3: the motion over time, what it conserves, its zero modes, and the friction that it needs."""
+"""Page 3: the motion over time, its conserved quantities, its zero modes, and the required friction."""
 
 from functools import partial
 
@@ -64,7 +64,7 @@ def show() -> None:
 
 
 def the_machine(motion: Record, friction: Friction) -> None:
-    """Draw the machine in motion; a contact that slips is marked."""
+    """Draw the machine in motion, with a mark at each contact that slips."""
     slips = motion.compression > friction.largest
     stages.mount(
         stage.payload(
@@ -91,14 +91,14 @@ def verdict(friction: Friction, compression: float) -> None:
             "**{contact}** slips from x₀\u00a0=\u00a0{largest:3↑ cm} on. The picture still shows rolling."
         )
     )
-    # No alert of Streamlit's: that would be a second live region, and the stage already says which contact slips.
+    # An alert of Streamlit would be a second live region, and the stage already announces the slipping contact.
     values = {"mu": fixed(friction.coefficient, 2), "largest": 100 * friction.largest}
     text = filled(sentence, **values, contact=cache.CONTACTS[friction.first])
     st.container(border=True, width="content").markdown(text)
 
 
 def freeze(motion: Record) -> None:
-    """Offer to stop at the instant at which a contact needs the most friction."""
+    """Offer a button that stops at the instant at which a contact needs the most friction."""
     instant, contact = greatest_friction(motion)
     label = _("Pause at the greatest friction ({contact}, t\u00a0=\u00a0{time})").format(
         contact=cache.CONTACTS[contact], time=quantity(instant, "s", 3)
@@ -107,7 +107,7 @@ def freeze(motion: Record) -> None:
 
 
 def greatest_friction(motion: Record) -> tuple[float, str]:
-    """Return when within the first period a contact needs the most friction [s], and which contact that is."""
+    """Return when within the first period a contact needs the most friction [s], and the contact."""
     first_period = motion.t <= motion.oscillator.period
     needed = {
         name: (np.abs(motion.forces[name]) / normal)[first_period] for name, normal in motion.normal_forces.items()
@@ -117,7 +117,7 @@ def greatest_friction(motion: Record) -> tuple[float, str]:
 
 
 def download(motion: Record, mu: float) -> None:
-    """Offer all numbers as a file for a spreadsheet, and as one for programs."""
+    """Offer the record as a CSV file and as a JSON file."""
     settings = [(each.label, each.value) for each in (*PARAMETERS.values(), GLIDE, SPIN, MU)]
     widgets.download(
         _("Spreadsheet"),
@@ -138,7 +138,7 @@ def download(motion: Record, mu: float) -> None:
 
 
 def the_figures(motion: Record, friction: Friction, setting: tuple[Oscillator | float, ...]) -> None:
-    """Draw the figures of the view that is open, or on a projector a slide for each."""
+    """Draw the figures of the open view, or in the projector view a slide for each view."""
     projector = display_mode.is_projector()
     shows = {"displacements": plots.show_displacements, "energy": plots.show_energy, "momentum": plots.show_momentum}
     shows["forces"] = plots.forces_over_time if projector else partial(plots.show_forces, friction=friction)

@@ -1,4 +1,4 @@
-"""The figures of page 3, each with what it means: displacements, energy, momentum, contact forces."""
+"""The figures of page 3 with their explanations: displacements, energy, momentum, contact forces."""
 
 from dataclasses import dataclass
 
@@ -20,7 +20,7 @@ from ramanujan.translation import _
 
 @dataclass(frozen=True)
 class Friction:
-    """What a coefficient of static friction allows: the largest compression [m] without slip, and what slips first."""
+    """The limit of static friction: the largest compression [m] without slip, and the contact that slips first."""
 
     coefficient: float
     largest: float
@@ -28,7 +28,7 @@ class Friction:
 
 
 def show_displacements(motion: Record, drawn: tuple) -> None:
-    """Draw displacements over time beside the phase plane, and say what the two initial velocities do."""
+    """Draw displacements over time and the phase plane, and explain the two initial velocities."""
     time, plane = st.columns([3, 2])
     farthest = {
         body: 100 * abs(motion.ground_positions[body] - motion.ground_positions[body][0]).max()
@@ -36,7 +36,7 @@ def show_displacements(motion: Record, drawn: tuple) -> None:
         if body != "spring"
     }
     end = motion.t[-1]
-    # Rounding leaves something of a drift that is not there.
+    # Rounding errors may leave a small drift.
     drifts = ((x[-1] - x[0]) / end * 100 for x in (motion.ground_positions["block"], motion.relative_positions["top"]))
     block, top = (round(float(drift), 9) for drift in drifts)
     sees = [
@@ -104,7 +104,7 @@ def show_energy(motion: Record, drawn: tuple) -> None:
 
 
 def show_momentum(motion: Record, drawn: tuple) -> None:
-    """Draw the momenta of the bodies, and the two conserved ones."""
+    """Draw the momenta of the bodies and the two conserved momenta."""
     p_X, p_Phi = (float(motion.momenta[name][0]) for name in ("p_X", "p_Phi"))
     of_X, _of_phi, of_Phi = map(latex, MOMENTA)
     sees = _(
@@ -125,7 +125,7 @@ def show_momentum(motion: Record, drawn: tuple) -> None:
 
 
 def show_forces(motion: Record, drawn: tuple, friction: Friction) -> None:
-    """Draw contact forces over time beside the friction that each contact needs."""
+    """Draw contact forces over time, and the friction that each contact needs."""
     time, bars = st.columns([3, 2])
     with time:
         forces_over_time(motion, drawn)
@@ -153,7 +153,7 @@ def about_forces(motion: Record) -> None:
 
 
 def about_friction() -> None:
-    """Explain the bars of the friction that each contact needs."""
+    """Explain the bars of the required friction."""
     st.caption(
         _(
             "A contact does not slip while its friction stays below μ times its normal force. The bars show the least "
@@ -163,7 +163,7 @@ def about_friction() -> None:
 
 
 def friction_needed(motion: Record, friction: Friction) -> None:
-    """Draw the friction that each contact needs as bars, with the present μ and the largest compression."""
+    """Draw the required friction of each contact as bars, with the current μ and the largest compression."""
     needed = required_friction(motion.oscillator, motion.compression, spacing=motion.spacing)
     mu, colors = friction.coefficient, theme.colors()
     bars = friction_bars(
@@ -180,12 +180,12 @@ def friction_needed(motion: Record, friction: Friction) -> None:
 
 
 def chart(figure: object, name: str, alt: str) -> None:
-    """Put a figure on the page, with Plotly's own legend, hover and zoom."""
+    """Draw a figure with Plotly's legend, hover and zoom."""
     drawings.plot(figure, f"figure_{name}", alt, config={"displaylogo": False})
 
 
 def listed(names: dict[str, str], values: dict[str, float], unit: str) -> str:
-    """Return names with their values, for a text alternative."""
+    """Return names with their values for a text alternative."""
     item = _("{name}: {value}")
     return "; ".join(
         item.format(name=names[key], value=quantity(float(value), unit, 3)) for key, value in values.items()

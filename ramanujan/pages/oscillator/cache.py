@@ -1,4 +1,4 @@
-"""What page 1 keeps: the fixed part of its curve, and the six steps for the masses that were asked for."""
+"""The caches of page 1: the fixed part of its curve, and the six steps for the current masses."""
 
 from collections.abc import Mapping
 from dataclasses import dataclass
@@ -19,11 +19,11 @@ from ramanujan.shell.cache import route
 from ramanujan.translation import _
 
 CURVE_RANGE = (0.01, 30.0)
-"""The mass ratios that the Ω² curve shows; the sliders stay inside."""
+"""The range of mass ratios of the Ω² curve. The sliders stay inside."""
 
 _POINTS = 2001
-"""Points of the curve: a click takes the nearest one, so they lie closer than the pixels of a wide screen. They make
-the figure so large that the page keeps it (`minCachedMessageSize` in .streamlit/config.toml): it is sent only once."""
+"""Points of the curve. A click selects the nearest one, so they are denser than the pixels of a wide screen. The figure
+is large enough for the browser to cache it (`minCachedMessageSize` in .streamlit/config.toml), so it is sent once."""
 
 
 @st.cache_resource(show_spinner=False)
@@ -61,7 +61,7 @@ def discriminant() -> int:
 
 
 def taxicab() -> str:
-    """Return the number as the square of an expression in ε."""
+    """Return the sum of squares of the number as an expression in ε."""
     condition = unit_frequency_condition()
     numerator, denominator = sp.fraction(condition.root)
     shift = sp.sqrt(condition.discriminant) - numerator
@@ -75,13 +75,13 @@ def equal_masses_value() -> str:
 
 @st.cache_resource(show_spinner=False, max_entries=4)
 def figure(light_or_dark: str) -> Drawn:
-    """Return the figure of the curve in the present theme; it is the same for every machine."""
+    """Return the figure of the curve in the current theme. It is the same for every machine."""
     return frequency_curve(curve(), theme.colors())
 
 
 @dataclass(frozen=True)
 class Way:
-    """How results are found: a step of the route, its equations between them, and all of its equations as LaTeX."""
+    """A derivation of results: a step of the route, its equations between them, and all of its equations as LaTeX."""
 
     heading: str
     reason: str
@@ -91,14 +91,14 @@ class Way:
 
 @dataclass(frozen=True)
 class SummaryStep:
-    """A line of the derivation in short; all formulas are LaTeX.
+    """A line of the short derivation. All formulas are LaTeX.
 
     Parameters
     ----------
-    heading : what is done
-    results : the equations that are seen while the line is folded, without the marks of an operation
+    heading : heading of the line
+    results : the equations that the folded line shows, without the marks of an operation
     ways : the steps of the route that lead to them
-    numbers : the equations of the last one, and the other results, with the present numbers
+    numbers : the equations of the last step, and the other results, with the current numbers
     """
 
     heading: str
@@ -108,7 +108,7 @@ class SummaryStep:
 
 
 LINE_WIDTH, _BESIDE = 60, 40
-"""Characters of a formula that fit into a window of 1280 points, and beside the machine on a projector."""
+"""Number of characters of a formula that fit into a window of 1280 px, and next to the machine on a projector."""
 _NONE, _FIRST, _LAST, _ALL = slice(0), slice(1), slice(-1, None), slice(None)
 SUMMARY: tuple[Mapping[str, slice], ...] = (
     {"velocities": _ALL},
@@ -118,12 +118,12 @@ SUMMARY: tuple[Mapping[str, slice], ...] = (
     {"insertion": _FIRST, "frequency": _LAST},
     {"ratio": _NONE, "unit": _LAST, "root": slice(3, None, 2)},
 )
-"""The steps of the route in each line, and which of their equations are results; the last step gives the heading."""
+"""The steps of the route in each line, and which of their equations are results. The last step gives the heading."""
 
 
 @st.cache_data(show_spinner=False, max_entries=256)
 def summary(numbers: Numbers | None) -> list[SummaryStep]:
-    """Return the derivation in six steps, with the present numbers where these are given."""
+    """Return the derivation in six steps, with the current numbers if they are given."""
     return [_line(wanted, numbers) for wanted in SUMMARY]
 
 

@@ -24,13 +24,13 @@ _SAME = 1e-12
 
 
 def warm_up() -> None:
-    """Derive what the first visitor would wait for."""
+    """Fill the caches that the first visitor would wait for."""
     cache.curve()
     cache.summary(Numbers(1.0, 1.0, 1.0))
 
 
 def lead() -> bool:
-    """Draw the machine with the controls, and return whether that was done: a projector has no room for these."""
+    """Draw the machine with the controls and return True. The projector view has no room for them: return False."""
     if display_mode.is_projector():
         return False
     composition()
@@ -47,7 +47,7 @@ def show() -> None:
             composition()
     tell_machine()
     if first_run.only_machine():
-        # Reserve the height of the rest: a scroll bar that appears later would move the machine.
+        # Reserve the height of the other elements: a scroll bar that appears later would move the machine.
         st.container(height=5000, border=False)
         return
     if not display_mode.hides("curve"):
@@ -66,19 +66,19 @@ def followers() -> list[str]:
 
 
 def shows_numbers() -> bool:
-    """Tell whether the numbers of the machine stand below the curve; on a projector they stand beside the machine."""
+    """Return whether the numbers are below the curve. In the projector view they are next to the machine."""
     return not (display_mode.hides("curve", "numbers") or display_mode.is_projector())
 
 
 @st.fragment(key="machine")
 def tell_machine() -> None:
-    """Tell the stage and the boxes what the sliders hold."""
+    """Publish the machine to the stage and the boxes of the sliders."""
     machine = stage.payload(sidebar.oscillator(), sidebar.compression())
     stages.tell(machine, name="oscillator", more=sidebar.followed())
 
 
 def the_steps() -> None:
-    """Draw the derivation in short, and the way to the whole."""
+    """Draw the short derivation, and the link to the full one."""
     if display_mode.is_projector():
         six_steps()
         return
@@ -90,14 +90,14 @@ def the_steps() -> None:
 
 
 def composition() -> None:
-    """Draw the question, on a reader's screen the sliders and the button that answers it, and the machine."""
+    """Draw the question and the machine, on a reader's screen also the sliders and the button of the story."""
     with st.container(key="composition"):
         opening()
         stages.mount(None, name="oscillator", layers=())
 
 
 def opening() -> None:
-    """Say what this is and what it asks; on a reader's screen with what answers it, and the way to the lesson."""
+    """Draw the opening: the question, on a reader's screen also the button of the story and the link to the lesson."""
     st.title(_("Ramanujan’s oscillator"), anchor=False)
     if not display_mode.is_projector():
         with st.container(key="to_lesson"):
@@ -116,13 +116,13 @@ def opening() -> None:
 
 
 def tell_story() -> None:
-    """Offer the story that ends at the one mass ratio at which both hands turn together."""
+    """Draw the button of the story, which ends at the one mass ratio at which both hands turn together."""
     script = story.script() | {"marked": address.keep(FOUND) == "on"}
     components.story("oscillator", "m_prime", story.RATIO, script, story.words())
 
 
 def to_lesson() -> None:
-    """Draw the link to the lesson; in the first run, only reserve its place."""
+    """Draw the link to the lesson. In the first run, only reserve its place."""
     if first_run.only_machine():
         st.empty()
         return
@@ -130,11 +130,11 @@ def to_lesson() -> None:
 
 
 def the_curve() -> None:
-    """Draw the curve of Ω² with a ring at the present machine."""
+    """Draw the Ω² curve with a ring at the current machine."""
     base = cache.curve()
     st.header(texts.curve_heading(), anchor=False)
     st.markdown(texts.curve_text())
-    # The ring shows the present machine, so the figure is sent to a page only once.
+    # The ring shows the current machine, so the figure is sent to a page only once.
     sees = texts.curve_alternative(base)
     drawings.plot(cache.figure(theme.current()), "curve", sees)
     if shows_numbers():
@@ -145,7 +145,7 @@ def the_curve() -> None:
 
 @st.fragment(key="present")
 def present() -> None:
-    """Say in numbers where the present machine lies on the curve, and how it compares with the plain mass."""
+    """Describe the position of the current machine on the curve, and compare it with the plain mass."""
     machine = sidebar.oscillator()
     sentence = _(
         "**Your machine**: ε\u00a0=\u00a0{ratio}, Ω²m/k\u00a0=\u00a0{normalized:7}, Ω\u00a0=\u00a0{omega:5 rad/s}, "
@@ -163,7 +163,7 @@ def present() -> None:
 
 
 def compared(machine: Oscillator) -> str:
-    """Say whether a machine is in step with the plain mass, and if not, how soon the two are a full turn apart."""
+    """Compare a machine with the plain mass: in step, or a full turn apart after a number of periods."""
     faster = float(gained(machine.mass_ratio))
     if abs(faster) < _SAME:
         return _("It is in step with the plain mass.")
@@ -176,7 +176,7 @@ def compared(machine: Oscillator) -> str:
 
 
 def take_clicked(point: dict[str, float]) -> None:
-    """Take the mass ratio of the clicked point: exactly that of a mark if one lies there, else with round masses."""
+    """Set the mass ratio of the clicked point: exact at a mark, with round masses elsewhere."""
     base = cache.curve()
     near = [mark for mark in (base.equal.ratio, base.unit.ratio) if math.isclose(point["x"], mark, rel_tol=0.02)]
     sidebar.take_ratio(*near or (point["x"], 3))
@@ -184,7 +184,7 @@ def take_clicked(point: dict[str, float]) -> None:
 
 @st.fragment(key="steps")
 def six_steps() -> None:
-    """Draw the derivation in short, a line for each step; one that is open says how, and has the present numbers."""
+    """Draw the short derivation with an expander for each step."""
     machine = sidebar.oscillator()
     numbers = None if display_mode.hides("numbers") else Numbers.of(machine)
     steps = cache.summary(numbers)
@@ -205,7 +205,7 @@ def six_steps() -> None:
 
 
 def one_step(n: int, step: cache.SummaryStep, numbers: Numbers | None) -> None:
-    """Say how a step of the derivation finds its results, and what they are for the present machine."""
+    """Explain a step of the derivation, with its results for the current machine."""
     for place, way in enumerate(step.ways):
         st.markdown(way.reason)
         draw_equations(f"{n}_{place}", way.between)
@@ -213,7 +213,7 @@ def one_step(n: int, step: cache.SummaryStep, numbers: Numbers | None) -> None:
 
 
 def with_numbers(n: int, rows: Sequence[Row], width: int, stated: str = "") -> None:
-    """Draw equations with the present numbers, if there are any."""
+    """Draw equations with the current numbers, if there are any."""
     if rows:
         heading = _("Your machine")
         st.markdown(f"### {heading}\n{stated}")
@@ -227,8 +227,8 @@ def draw_equations(key: str, rows: Sequence[Row], width: int = cache.LINE_WIDTH)
 
 
 def on_slides(steps: list[cache.SummaryStep]) -> None:
-    """Draw the steps on slides of the projector, one for each way to a result, beside the machine with its symbols."""
-    from ramanujan.lesson.picture import machine_svg  # which a visitor's first page does not wait for
+    """Draw each way to a result on a slide of the projector view, next to the machine with its symbols."""
+    from ramanujan.lesson.picture import machine_svg  # Imported late: the first page of a visitor does not need it.
 
     machine = machine_svg(sidebar.oscillator(), sidebar.compression(), theme.on_paper())
     for n, step in enumerate(steps, start=1):

@@ -1,7 +1,7 @@
 """The story of the first page: from heavy rollers to the one mass ratio at which both clock hands turn together.
 
-Times are in periods of the plain mass, masses in units of m: one story fits every machine. The hands start together,
-and the waits are such that they meet again at ε*. By how many full turns the machine's hand gains on the other one is
+Times are in periods of the plain mass, masses in units of m, so one story fits every machine. The hands start together.
+The durations of the pauses are such that the hands meet again at ε*. The machine's hand gains this number of turns:
 
     ∫ (√f(ε(t)) − 1) dt,    f(ε) = Ω²m/k
 """
@@ -22,17 +22,17 @@ from ramanujan.translation import _
 RATIO = UNIT_MASS_RATIO
 """The mass ratio at which the story ends."""
 STARTS = (5.0, 2.0)
-"""Mass ratios with which a story may begin: where 5m is more than a roller's largest mass, 2m is not."""
+"""Mass ratios with which a story may begin. If 5m exceeds the largest mass of a roller, 2m does not."""
 OPENING = 2
-"""Scenes before the first at ε*; those that follow are the same in every story."""
+"""Number of scenes before the first at ε*. The later scenes are the same in every story."""
 PACE = 0.6
-"""Seconds that a period of the plain mass lasts in the story."""
+"""Duration of a period of the plain mass in the story [s]."""
 _OVER = 1.25
-"""A mass ratio about as far above ε* as equal masses are below, to which the slider has a step."""
+"""A mass ratio about as far above ε* as equal masses are below. The slider has a step at this ratio."""
 STILL_PERIODS = 2
-"""Periods of the plain mass after which the still clocks are drawn."""
+"""Time at which the still clocks are drawn [periods of the plain mass]."""
 _KNOTS = 10
-"""Straight pieces of a move, which begins and ends slowly."""
+"""Number of straight pieces of a move, which begins and ends slowly."""
 
 
 @dataclass(frozen=True)
@@ -41,9 +41,9 @@ class Scene:
 
     Parameters
     ----------
-    sentence : what is said while it lasts
-    ratios : ε at equal steps of time, from its beginning to its end; two equal ones while the machine stays as it is
-    periods : how long it lasts, in periods of the plain mass
+    sentence : caption of the scene
+    ratios : ε at equal steps of time, from the beginning to the end; two equal values while the machine is constant
+    periods : duration in periods of the plain mass
     """
 
     sentence: str
@@ -52,13 +52,13 @@ class Scene:
 
 
 def gained(ratios: ArrayLike) -> NDArray[np.float64]:
-    """Return by how many full turns the machine's hand gains on the plain mass's in each of its periods, √f(ε) − 1."""
+    """Return the gain of the machine's hand on that of the plain mass in each of its periods [turns], √f(ε) − 1."""
     return np.sqrt(normalized_frequency_squared(ratios)) - 1
 
 
 @st.cache_resource(show_spinner=False)
 def story(start: float) -> tuple[Scene, ...]:
-    """Return the scenes of the story that begins with a mass ratio.
+    """Return the scenes of the story that begins with this mass ratio.
 
     Parameters
     ----------
@@ -86,7 +86,7 @@ def story(start: float) -> tuple[Scene, ...]:
 
 
 def script() -> dict[str, Any]:
-    """Return the scenes of all stories as `components.story` takes them, without a mark on the slider."""
+    """Return the scenes of all stories in the format of `components.story`, without a mark on the slider."""
     stories = [story(start) for start in STARTS]
     return {
         "openings": [list(map(asdict, scenes[:OPENING])) for scenes in stories],
@@ -98,7 +98,7 @@ def script() -> dict[str, Any]:
 
 
 def words() -> dict[str, str]:
-    """Return the words of the story's button as `components.story` takes them."""
+    """Return the words of the story's button in the format of `components.story`."""
     return {
         "ratio": "ε = m′/m = {ratio}",
         "there": _("In step: ε = {exactly}. So {number}.").format(exactly=cache.unit_ratio(), number=cache.taxicab()),
@@ -115,7 +115,7 @@ def words() -> dict[str, str]:
 
 
 def stills() -> list[dict[str, str | float]]:
-    """Return clocks for someone who asked for less motion: labels, and by how many turns the hands are apart."""
+    """Return still clocks for visitors who prefer reduced motion: labels, and turns between the hands."""
     ratios = {"5": 5.0, "2": 2.0, f"{number(UNIT_MASS_RATIO, 4)}…": UNIT_MASS_RATIO, "1": 1.0, number(0.5, 1): 0.5}
     return [
         {"label": f"ε = {label}", "turns": round(STILL_PERIODS * float(gained(ratio)), 6)}
@@ -124,21 +124,21 @@ def stills() -> list[dict[str, str | float]]:
 
 
 def turns_in(scene: Scene) -> float:
-    """Return by how many full turns the machine's hand gains on the other one in a scene."""
-    # From knot to knot ε is a straight line, and so nearly is √f.
+    """Return the gain of the machine's hand in a scene [turns]."""
+    # Between two knots ε is linear in time, and √f nearly is.
     fine = np.linspace(0, 1, 50 * len(scene.ratios) + 1)
     ratios = np.interp(fine, np.linspace(0, 1, len(scene.ratios)), scene.ratios)
     return scene.periods * float(np.trapezoid(gained(ratios), fine))
 
 
 def _stay(sentence: str, ratio: float, periods: float) -> Scene:
-    """Return a scene in which the machine stays as it is; its sentence says how soon the hands part by a full turn."""
+    """Return a scene with a constant machine. Its sentence contains the time until the hands are a full turn apart."""
     apart = 1 / abs(float(gained(ratio))) if ratio != UNIT_MASS_RATIO else math.inf
     return Scene(sentence.format(periods=number(apart, 2)), (ratio, ratio), periods)
 
 
 def _moved(start: float, end: float) -> tuple[float, ...]:
     share = np.linspace(0, 1, _KNOTS + 1)[1:-1]
-    # The story is sent with every run of the page: short numbers.
+    # Round the numbers: every run of the page sends the story.
     between = np.round(start * (end / start) ** (share**2 * (3 - 2 * share)), 3)
     return (start, *map(float, between), end)

@@ -1,4 +1,4 @@
-"""The words of the first page that the standalone file shares with it."""
+"""The texts that the first page shares with the standalone file."""
 
 from ramanujan.figures.oscillator import Curve
 from ramanujan.numerals import number
@@ -22,7 +22,7 @@ def curve_heading() -> str:
 
 
 def curve_text() -> str:
-    """Return what the curve is about, with formulas between dollar signs."""
+    """Return the explanation of the curve, with formulas between dollar signs."""
     return _(
         "The plain mass $m$ on the spring $k$ has the angular frequency $\\sqrt{{k/m}}$, the machine has "
         "$\\Omega$. They are in step where $\\Omega^2m/k=1$. This depends only on the mass ratio "
@@ -40,10 +40,10 @@ def curve_alternative(curve: Curve) -> str:
 
 
 def curve_hint() -> str:
-    """Return what a click on the curve does."""
+    """Return the hint about clicks on the curve."""
     return _("Click on the curve to build the machine with that mass ratio.")
 
 
 def steps_heading() -> str:
-    """Return the heading of the derivation in short."""
+    """Return the heading of the short derivation."""
     return _("The derivation in six steps")

@@ -1,1 +1,1 @@
-"""Page 5: accuracy and what it costs."""
+"""Page 5: accuracy and its cost."""

@@ -1,7 +1,7 @@
-"""What page 5 keeps: what its experiments have found, once for all visitors of this server.
+"""The caches of page 5: the results of its experiments, once for all visitors of this server.
 
-Errors and evaluations of a method are the same for every machine (`accuracy.runs`), so none is kept by m, m′ and k.
-What several visitors ask for at once, Streamlit computes once, while the others wait.
+Errors and evaluations of a method are the same for every machine (`accuracy.runs`). Therefore the cache keys omit m, m′
+and k. Streamlit computes a result once, also if several visitors request it at the same time.
 """
 
 import threading
@@ -40,26 +40,26 @@ ALONG = {
     "ratio": ("ε", _("{mass_ratio}, with <i>m</i> = 1 kg and <i>k</i> = 1 N/m").format(mass_ratio=MASS_RATIO)),
     "scale": ("s", _("scale <i>s</i> = <i>m</i>/kg = <i>m</i>′/kg = <i>k</i>/(N/m)")),
 }
-"""What is varied in a sweep → its symbol, and what the axis says."""
+"""Variable of a sweep → its symbol, and the title of its axis."""
 
 PERIODS = (1, 3, 10, 30, 100, 300)
-"""The numbers of periods that a person can choose."""
+"""The numbers of periods that a visitor can select."""
 _PARTS = (1, 3, *range(10, PERIODS[-1] + 1, 10))
-"""Periods after which the runs of a diagram are kept, so that each part takes some tenths of a second."""
+"""Numbers of periods after which the runs of a diagram are cached. Each part takes some tenths of a second."""
 
 _CURVES = [(method, dtype) for dtype in DTYPES for method in METHODS]
 """The curves of a work-precision diagram."""
 
 _SLICE, _PAUSE = 0.03, 0.015
-"""Seconds of work, and the seconds that are left to other visitors after them."""
+"""Duration of a stretch of work, and of the pause for other visitors after it [s]."""
 _ALONE = threading.Lock()
-"""Held while seconds are measured: two measurements at once would disturb each other."""
+"""Lock of the time measurements, because two at once would disturb each other."""
 
 
 @st.cache_resource(show_spinner=False, max_entries=512)
 @giving_way()
 def run(method: str, steps: int, periods: int, dtype: str) -> Run:
-    """Return one integration, which is the same for every machine."""
+    """Return one integration. It is the same for every machine."""
     return downsampling.downsampled(error_history(method, steps, periods, dtype), steps, periods)
 
 
@@ -71,20 +71,20 @@ def races() -> tuple[WorkPrecision, ...]:
 
 
 def parts_of_diagram(periods: int) -> list[Callable[[], object]]:
-    """Return what a work-precision diagram is made of, in calls whose results are kept: errors first, then seconds."""
+    """Return the parts of a work-precision diagram as calls of cached functions: first errors, then times."""
     lengths = [part for part in _PARTS if part <= periods]
     parts = [partial(errors, *curve, length) for curve in _CURVES for length in lengths]
     return [*parts, partial(closed, periods), *(partial(_step_seconds, *curve) for curve in _CURVES)]
 
 
 def diagram(periods: int) -> list[WorkPrecision]:
-    """Return the curves of the work-precision diagram, with the seconds that were measured here last."""
+    """Return the curves of the work-precision diagram, with the last measured times."""
     return [replace(errors(*curve, periods), step=_step_seconds(*curve)) for curve in _CURVES]
 
 
 @st.cache_resource(show_spinner=False, max_entries=2 * len(METHODS) * len(_PARTS))
 def errors(method: str, dtype: str, periods: int) -> WorkPrecision:
-    """Return the runs of one method, continued from the part before."""
+    """Return the runs of one method, which continue those of the previous part."""
     shorter = max((part for part in _PARTS if part < periods), default=None)
     before, rested = shorter and errors(method, dtype, shorter), time.monotonic()
 
@@ -106,13 +106,13 @@ def _step_seconds(method: str, dtype: str) -> Timing:
 
 @st.cache_resource(show_spinner=False, max_entries=len(PERIODS))
 def closed(periods: int) -> ClosedForm:
-    """Return error and seconds of the closed form."""
+    """Return error and time [s] of the closed form."""
     with _ALONE:
         return closed_form(Oscillator(), [periods])[0]
 
 
 def forget_seconds() -> None:
-    """Have the seconds measured again; errors and evaluations do not change."""
+    """Clear the measured times. Errors and evaluations do not change."""
     _step_seconds.clear()
     closed.clear()
 
@@ -126,15 +126,15 @@ def sweeps() -> tuple[list[Sweep], list[EigenSweep]]:
 
 @dataclass(frozen=True)
 class Choices:
-    """Error and cost of what the app itself uses, for the machine with m = m′ = 1 kg and k = 1 N/m.
+    """Error and cost of the app's own methods, for the machine with m = m′ = 1 kg and k = 1 N/m.
 
     Parameters
     ----------
-    states : of the closed form, after different numbers of periods
-    reduction : seconds for a phase from which whole turns are subtracted
+    states : states of the closed form after different numbers of periods
+    reduction : time [s] for a phase from which whole turns are subtracted
     curves : curve → number of points → distance from the curve [pixels]
     arithmetics : kind of arithmetic → seconds for a value of Ω²
-    kept : result → how many times faster it is to keep it
+    kept : result → the factor by which a cache makes it faster
     """
 
     states: list[ClosedForm]
@@ -146,7 +146,7 @@ class Choices:
 
 @st.cache_resource(show_spinner=_("Measuring what the app itself uses …"), max_entries=1)
 def choices() -> Choices:
-    """Measure what the app itself uses, once for all visitors."""
+    """Measure the app's own methods, once for all visitors."""
     machine = Oscillator()
     with _ALONE:
         return Choices(
@@ -160,7 +160,7 @@ def choices() -> Choices:
 
 @st.cache_data(show_spinner=False, max_entries=64)
 def phases(machine: Oscillator) -> list[PhaseErrors]:
-    """Return the phase errors after 1 … 1e15 periods; some hundredths of a second."""
+    """Return the phase errors after 1 … 1e15 periods, which takes some hundredths of a second."""
     return phase_errors(machine)
 
 

@@ -1,7 +1,7 @@
-"""The game of page 5: as few evaluations as possible, while the computed machine stays beside the exact one.
+"""The game of page 5: as few evaluations as possible while the computed machine stays close to the exact one.
 
-The question and its judge are those of the lesson’s task. The result is a point in the work–precision diagram, in which
-all methods appear once something has been tried.
+Question and verdict are those of the lesson’s task. The result is a point in the work–precision diagram. After the
+first attempt, the diagram shows all methods.
 """
 
 import numpy as np
@@ -25,14 +25,14 @@ STEPS = address.Count("steps", STEPS_PER_PERIOD[-1], 12, STEPS_PER_PERIOD[0])
 TRIES = address.Several("tries", tuple(f"{method}.{steps}" for method in METHODS for steps in STEPS_PER_PERIOD))
 
 _RUN = "speed_run"
-"""Session state: how many runs have been asked for."""
+"""Session state: number of runs that the visitor has started."""
 _MOST_TRIES = 12
 _SHOWN_IN = 12.0
-"""Seconds in which a run is shown for the first time."""
+"""Duration of the first animation of a run [s]."""
 
 
 def draw() -> None:
-    """Draw the challenge, and what came of it."""
+    """Draw the challenge and its result."""
     projector = display_mode.is_projector()
     if projector:
         introduce()
@@ -52,7 +52,7 @@ def draw() -> None:
         with st.container(key="observed_race"):
             machine()
         if address.keep(TRIES):
-            # The machine runs already while all methods are worked out for the first time.
+            # The machine runs already while all methods are computed for the first time.
             cache.races()
             tried, steps = _last()
             with st.container(key="race_result"):
@@ -60,7 +60,7 @@ def draw() -> None:
 
 
 def introduce() -> None:
-    """Say what the page asks."""
+    """Draw the question of the game."""
     st.title(_("Speed and accuracy"), anchor=False)
     st.markdown(
         _(
@@ -81,7 +81,7 @@ def machine() -> None:
 
 
 def diagram() -> None:
-    """Draw what has been tried among the results of all methods."""
+    """Draw the attempts among the results of all methods."""
     curves = {curve.method: curve for curve in cache.races()}
     found = []
     for method, steps in map(_read, address.held(TRIES)):

@@ -1,4 +1,4 @@
-"""The section of page 5 on what accuracy costs: measured on this server when a person asks for it."""
+"""The section of page 5 on the cost of accuracy, which is measured on this server on request."""
 
 import time
 from collections.abc import Callable
@@ -21,15 +21,15 @@ _COST_TITLES = {"evaluations": _("evaluations of the force"), "seconds": _("seco
 
 
 _ASKED, _COMPLETE = "speed_asked", "speed_complete"
-"""Session state: whether the person wants the diagram, and the number of periods for which all of it is there."""
+"""Session state: whether the visitor requested the diagram, and the number of periods for which it is complete."""
 _AT_ONCE = 0.2
-"""Seconds of work that go by without a progress bar."""
+"""Duration of work without a progress bar [s]."""
 
 
 def costs(periods: int) -> Callable[[], None]:
-    """Draw the section as far as it takes no time; return what measures and draws the rest."""
+    """Draw the fast part of the section; return the function that measures and draws the rest."""
     st.header(_("What accuracy costs on this server"), anchor=False)
-    asked = st.session_state.get(_ASKED, is_projector())  # a slide has its diagram when it is reached
+    asked = st.session_state.get(_ASKED, is_projector())  # A slide shows its diagram at once.
     by, tolerance = costs_controls(asked)
     if not asked:
         what_is_measured()
@@ -45,7 +45,7 @@ def costs(periods: int) -> Callable[[], None]:
 
 
 def costs_controls(asked: bool) -> tuple[str, float]:
-    """Draw what measures and what chooses; return the kind of cost and the error that is allowed."""
+    """Draw the button and the options; return the kind of cost and the tolerated error."""
     with st.container(horizontal=True, vertical_alignment="bottom"):
         label = _("Measure again") if asked else _("Measure on this server")
         st.button(label, key="measure", icon=":material/timer:", type="primary", on_click=_ask)
@@ -63,8 +63,8 @@ def _ask() -> None:
 def measure(periods: int) -> None:
     """Measure the missing parts of the diagram one by one, with a progress bar.
 
-    Streamlit breaks the script off at the next report of progress if the person presses Stop, moves a slider or leaves.
-    What has been found until then stays.
+    Streamlit interrupts the script at the next progress report if the visitor presses Stop, moves a slider or leaves.
+    The cached parts remain.
     """
     if st.session_state.get(_COMPLETE) == periods:
         return
@@ -84,7 +84,7 @@ def measure(periods: int) -> None:
 
 
 def cost_diagram(periods: int, by: str, tolerance: float) -> None:
-    """Draw the work-precision diagram, the cheapest run, and how both were measured."""
+    """Draw the work-precision diagram, the cheapest run, and the methods of measurement."""
     curves, closed = cache.diagram(periods), cache.closed(periods)
     ranked = cheapest(curves, tolerance, by)
     sentence = verdicts.what_to_take(ranked, tolerance, by, closed)
@@ -134,7 +134,7 @@ def _how_measured(periods: int, spread: float) -> str:
 
 
 def what_is_measured() -> None:
-    """Say what the button would measure."""
+    """Explain the measurement that the button starts."""
     sentence = _(
         "Press the button: this server then runs {methods:word} methods in {precisions:word} precisions with {least} "
         "to {most} steps per period. Then choose the error that you allow."

@@ -10,27 +10,27 @@ from ramanujan.accuracy.work_precision import SHOWN_STEPS, WorkPrecision
 from ramanujan.numerals import number
 
 SAMPLES_PER_PERIOD = 32
-"""A run with more steps than that is downsampled: straight pieces between so many points of a swing look round."""
+"""Largest number of samples in a period: their straight connections look round."""
 SCREEN_HEIGHT = 1080
-"""Pixels that errors on screen are held against."""
+"""Height in pixels with which errors on screen are compared."""
 ROOM = 3.0
-"""How far a wrong slab may travel, in units of the compression."""
+"""Largest travel of an inaccurate slab, in units of the compression."""
 CURVE_POINTS = 96
-"""Points of an error curve: about as many as it has pixels to rise in."""
+"""Number of points of an error curve, about one for each pixel of its rise."""
 
 
 @dataclass(frozen=True, eq=False)
 class Run:
-    """One integration, downsampled to what the screen shows.
+    """One integration, downsampled to the resolution of the screen.
 
     Parameters
     ----------
-    method, dtype, steps, periods : how it was made
-    per_period : samples in a period
-    q : φ over its amplitude at the samples, the start included, shape (periods·per_period + 1,)
-    reach : where each error curve has its points [periods], shape (points,)
-    phase, energy : the largest |phase error| [rad] and |energy error| so far, shape (points,)
-    turns : the largest |phase error| so far after each period [turns], shape (periods + 1,)
+    method, dtype, steps, periods : arguments of the integration
+    per_period : number of samples in a period
+    q : φ divided by its amplitude at the samples, with the start, shape (periods·per_period + 1,)
+    reach : times of the points of each error curve [periods], shape (points,)
+    phase, energy : the largest |phase error| [rad] and |energy error| up to each point, shape (points,)
+    turns : the largest |phase error| up to the end of each period [turns], shape (periods + 1,)
     phase_at_end : the phase error at the end, with its sign [rad]
     evaluations : evaluations of the force in the run
     """
@@ -50,7 +50,7 @@ class Run:
 
 
 def played(run: Run) -> dict[str, Any]:
-    """Return the part of a run that the stage plays; beyond its room the slab stays at the edge."""
+    """Return the part of a run that the stage plays. Outside of the stage's range, the slab remains at the edge."""
     q = np.clip(np.nan_to_num(run.q, nan=ROOM), -ROOM, ROOM)
     spent = evaluations_of(run.method, run.steps * np.arange(run.periods + 1)).clip(0)
     log = [[number(cost, 6), number(off)] for cost, off in zip(spent.tolist(), run.turns.tolist(), strict=True)]
@@ -58,16 +58,16 @@ def played(run: Run) -> dict[str, Any]:
 
 
 def costs(curve: WorkPrecision, by: str) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-    """Return cost, error and steps per period of the runs that the diagram shows."""
+    """Return cost, error and steps per period of the runs in the diagram."""
     at = np.isin(curve.steps_per_period, SHOWN_STEPS)
     error = np.where(np.isfinite(curve.error), curve.error, np.nan)
     return getattr(curve, by)[at], error[at], curve.steps_per_period[at]
 
 
 def downsampled(history: History, steps: int, periods: int) -> Run:
-    """Return a run in as many points as a screen can part."""
+    """Return a run with the number of points that a screen can resolve."""
     every = next(n for n in range(-(-steps // SAMPLES_PER_PERIOD), steps + 1) if steps % n == 0)
-    # Equal ratios between neighbours show how an error grows.
+    # Equal ratios between neighbours show the growth of an error.
     ends = np.unique(np.rint(np.geomspace(1, steps * periods, CURVE_POINTS)).astype(int))
     with np.errstate(over="ignore"):
         q = history.q[::every].astype(np.float32)

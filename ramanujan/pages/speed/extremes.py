@@ -1,4 +1,4 @@
-"""The sections of page 5 on the extremes: large and small numbers, long times, a general solver, what the app uses."""
+"""The sections of page 5 on extremes: large and small numbers, long times, general solvers, the app's own methods."""
 
 from collections.abc import Mapping, Sequence
 
@@ -23,7 +23,7 @@ SWEEPS = {
     "scale_float64": _("scale, float64"),
     "scale_float32": _("scale, float32"),
 }
-"""One of `cache.ALONG`, which is varied, and the precision → its label."""
+"""A variable of `cache.ALONG` and a precision → the label of the sweep."""
 SWEEP = address.Choice("sweep", SWEEPS, "ratio_float64")
 
 
@@ -57,11 +57,11 @@ _CHOICES = (
     _("**The solution** is stored with its machine. The next state is {kept_state:2} times faster than the first."),
     _("**Many states** are computed in one call. For {n} states this is {kept_states:2} times faster than one by one."),
 )
-"""What the app uses where, and why."""
+"""The app's own methods with their uses and reasons."""
 
 
 def forms_at_extremes() -> list[Sweep]:
-    """Draw the forms of Ω² over the range of floating point; return what is shown."""
+    """Draw the forms of Ω² over the range of floating point; return the selected sweep."""
     st.header(filled(_("Extreme values: {count:word} ways to write Ω²"), count=len(FORMS)), anchor=False)
     words, figure = columns("forms")
     with words:
@@ -93,7 +93,7 @@ def forms_at_extremes() -> list[Sweep]:
 
 
 def where_forms_fail(shown: Sequence[Sweep]) -> None:
-    """Say where each form fails, and which formulas they are."""
+    """Name the failures of each form, and explain the forms."""
     widgets.table(verdicts.failure_table(shown, cache.ALONG[shown[0].along][0]), "forms")
     item = _("- **{name}**: Ω² = {formula}")
     st.markdown("\n".join(item.format(name=form.title, formula=unbroken(form.formula)) for form in FORMS.values()))
@@ -113,7 +113,7 @@ def many_periods(machine: Oscillator) -> None:
 
 
 def general_solver() -> None:
-    """Say what general eigen-solvers make of the zero modes, and list them."""
+    """List the zero modes that general eigen-solvers find, with an explanation."""
     _forms, sweeps = cache.sweeps()
     st.markdown(
         _(
@@ -127,7 +127,7 @@ def general_solver() -> None:
 
 
 def what_the_app_uses() -> None:
-    """List what the app uses where, why, and the measurement behind it."""
+    """List the app's own methods with their uses, reasons and measurements."""
     found = cache.choices()
     drawn = {each.form: each for each in cache.sweeps()[0] if (each.along, each.dtype) == ("machines", "float64")}
     own = drawn["effective_mass"]
@@ -163,5 +163,5 @@ def what_the_app_uses() -> None:
 
 
 def _fewest_points(distances: Mapping[int, float]) -> tuple[int, float]:
-    """Return the fewest points that draw a curve to half a pixel, and the distance that is left [pixels]."""
+    """Return the fewest points that draw a curve to half a pixel, and the remaining distance [pixels]."""
     return next((points, distance) for points, distance in distances.items() if distance < 0.5)

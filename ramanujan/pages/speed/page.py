@@ -1,4 +1,4 @@
-"""Page 5: how exact a scene has to be and what that costs, measured on the machine that serves the page."""
+"""Page 5: the required accuracy of a scene and its cost, measured on the server of this page."""
 
 import math
 from functools import partial
@@ -47,12 +47,12 @@ def show() -> None:
         extremes.many_periods(sidebar.oscillator())
     folded("solver", _("A general eigen-solver, which does not know this machine"), extremes.general_solver)
     folded("choices", _("What this app uses, and why"), extremes.what_the_app_uses)
-    # Long work comes last, when all else is drawn.
+    # Long computations follow after all other elements are drawn.
     costs_on_this_server()
 
 
 def growing_errors(method: str, steps: int) -> int:
-    """Draw how the errors grow, of one method beside the closed form or of all; return the number of periods."""
+    """Draw how the errors of one method and the closed form, or of all methods, grow; return the number of periods."""
     st.header(_("How the errors grow"), anchor=False)
     words, place = columns("errors")
     with words:
@@ -78,7 +78,7 @@ def growing_errors(method: str, steps: int) -> int:
         drawings.plot(figure, "growth", sees.format(errors=" ".join(map(_found, runs))))
     with words:
         st.markdown(verdicts.errors_of(run))
-        # A projector's slide has room for the figure and what it found.
+        # A slide of the projector view has room for the figure and its result.
         if not display_mode.is_projector():
             st.caption(
                 _(
@@ -92,7 +92,7 @@ def growing_errors(method: str, steps: int) -> int:
 
 
 def _found(run: Run) -> str:
-    """Say how far a run is off at its end."""
+    """State the error of a run at its end."""
     worst = float(np.max(run.energy))
     if not (math.isfinite(run.phase_at_end) and math.isfinite(worst)):
         sentence = _("{method}: the energy has grown beyond the largest floating-point number.")

@@ -1,4 +1,4 @@
-"""The results of the experiments of page 5 in sentences and tables; every number is looked up in the results."""
+"""The results of the experiments of page 5 in sentences and tables, with numbers from the results."""
 
 import math
 from collections.abc import Callable, Iterable, Sequence
@@ -18,15 +18,15 @@ from ramanujan.pages.speed.downsampling import Run
 from ramanujan.translation import _, ngettext
 
 _SEEN = 0.05
-"""Phase error [rad] that an eye can see between two machines side by side: about a hundredth of a full turn."""
+"""Phase error [rad] that is visible between two machines side by side: about a hundredth of a full turn."""
 _ROUNDING, _SMALL, _STEEPER = 1e-12, 0.5, 0.3
-"""Errors between which a curve has a slope, and by how much it has to exceed the order to be worth a sentence."""
+"""Errors between which a curve has a slope, and the smallest excess over the order that gets a sentence."""
 
 Table = list[tuple[str, ...]]
 
 
 def method_facts(method: Method, steps: int) -> str:
-    """Say of what order a method is, what it costs, and whether these steps are stable."""
+    """Return the order of a method, its cost, and whether these steps are stable."""
     turn, limit = 2 * math.pi / steps, method.stability_limit
     cost = ngettext(
         "**{method}** has order {order} and takes one evaluation of the force per step of size h.",
@@ -43,14 +43,14 @@ def method_facts(method: Method, steps: int) -> str:
         stable = _("It is stable up to hΩ = {limit}; here it is {turn}.")
     title = method.title[0].upper() + method.title[1:]
     cost = filled(cost, method=title, order=method.order, n=method.evaluations)
-    # A stable turn and the limit are rounded down alike, so the limit remains a bound and the larger of the two.
+    # The stable angle and the limit are rounded down in the same way, so the limit remains an upper bound.
     write = number if turn > limit else at_least
     turn_and_limit = {"turn": distinct_from(turn, limit, 3, write), "limit": distinct_from(limit, turn, 3, write)}
     return f"{cost} {stable.format(**turn_and_limit)}"
 
 
 def errors_of(run: Run) -> str:
-    """Say which run this is, how far it is off at its end, and whether it shows."""
+    """Name a run, and state its error at the end and whether it is visible."""
     worst = float(np.max(run.energy))
     sentence = ngettext(
         "**{method}, {steps} steps per period, {precision}:** in one period the force was evaluated {cost} times.",
@@ -91,7 +91,7 @@ def errors_of(run: Run) -> str:
 
 
 def what_to_take(choices: Sequence[Choice], tolerance: float, by: str, exact: ClosedForm | None) -> str:
-    """Name the cheapest run within the tolerance, its cost, and the closed form's."""
+    """Name the cheapest run within the tolerance, its cost, and the cost of the closed form."""
     said = [_cheapest(choices[0], tolerance, by) if choices else _none_reaches(tolerance)]
     if exact is not None:
         sentence = _("The closed form takes {time} for the last state, and its phase error is {error}\u202frad.")
@@ -128,12 +128,12 @@ def _none_reaches(tolerance: float) -> str:
 
 
 def order_and_slope(curves: Sequence[WorkPrecision], run: Callable[[str, int, int, str], Run]) -> str:
-    """Say of each method whose error falls faster than its order says, by how much, and how its phase error falls."""
+    """State by how much each error falls faster than the method's order, and how the phase error falls."""
     fine, said = STEPS_PER_PERIOD[-1], []
     for curve in (curve for curve in curves if curve.dtype == "float64"):
         method, n = METHODS[curve.method], curve.steps_per_period
         coarse_error, fine_error = curve.error[n == fine // 2].item(), curve.error[n == fine].item()
-        # Errors as large as the motion, and those of rounding, have no slope.
+        # Errors as large as the motion, and rounding errors, have no slope.
         if not _ROUNDING < fine_error < coarse_error < _SMALL:
             continue
         if math.log2(coarse_error / fine_error) > method.order + _STEEPER:
@@ -159,7 +159,7 @@ def choice_table(choices: Iterable[Choice]) -> Table:
 
 
 def failure_table(sweeps: Sequence[Sweep], symbol: str) -> Table:
-    """List where and how each form fails; the symbol is that of what is varied."""
+    """List where and how each form fails; `symbol` is that of the variable of the sweep."""
     rows: Table = [(_("Form"), _("Where it fails"), _("What it returns there"))]
     for sweep in sweeps:
         failures = [(_place(each, symbol), _word(sweep, each)) for each in sweep.stretches if each.verdict != RIGHT]
@@ -174,7 +174,7 @@ def _place(stretch: Stretch, symbol: str) -> str:
 
 
 def in_words(sweep: Sweep) -> str:
-    """Return what the strip of a form says, from left to right."""
+    """Return the strip of a form in words, from left to right."""
     words = ", ".join(_word(sweep, each) for each in sweep.stretches)
     return _("{form}: {words}").format(form=FORMS[sweep.form].title, words=words)
 
@@ -197,11 +197,11 @@ _RETURNS = {
     PLAUSIBLE: _("{value}: wrong"),
     INACCURATE: _("loses digits"),
 }
-"""Verdict → what a form returns there."""
+"""Verdict → description of the returned value."""
 
 
 def _word(sweep: Sweep, stretch: Stretch) -> str:
-    """Return the value of a form in a stretch: −0 differs from 0, and of wrong values the median is named."""
+    """Return the value of a form in a stretch. −0 differs from 0, and wrong values are represented by their median."""
     inside = sweep.value[(sweep.x >= stretch.first) & (sweep.x <= stretch.last)]
     if stretch.verdict == ZERO and np.signbit(inside).all():
         return "−0"
@@ -210,7 +210,7 @@ def _word(sweep: Sweep, stretch: Stretch) -> str:
 
 
 def how_phases_grow(errors: Sequence[PhaseErrors]) -> str:
-    """Say when each way to compute the phase has lost it, and how small the reduced one's error stays."""
+    """State when each computation of the phase has lost it, and the largest error of the reduced phase."""
     said = [
         _(
             "In float32 the error of the plain product Ω·t reaches 1\u202frad between {before} and {after} periods. "
@@ -228,7 +228,7 @@ def how_phases_grow(errors: Sequence[PhaseErrors]) -> str:
 
 
 def zero_modes(sweeps: Sequence[EigenSweep]) -> str:
-    """Say which solvers find both zero modes exactly, and how often the others return no frequency."""
+    """Name the solvers that find both zero modes exactly, and state how often the others return no frequency."""
     said = [
         _("**{solver}** returns a negative or complex eigenvalue for a zero mode in {count} of {all} machines.").format(
             solver=SOLVERS[s.solver].title, count=int(s.without_frequency.sum()), all=s.error_ulp.size

@@ -1,6 +1,6 @@
-"""What page 4 keeps: the unit condition as formulas, the 40 machines, and what follows from a choice of bodies.
+"""The caches of page 4: the unit condition as formulas, the 40 machines, and the results for other bodies.
 
-Everything comes from `number_theory` (exact integers) or from the derivation; here it is only put into LaTeX.
+The results come from `number_theory` (exact integers) and from the derivation. This module writes them as LaTeX.
 """
 
 from collections.abc import Sequence
@@ -21,10 +21,10 @@ from ramanujan.number_theory import BodyChoice
 from ramanujan.shell.cache import giving_way, route
 
 LARGEST_PART = 1000
-"""The largest p and q: every discriminant can then be factored."""
+"""The largest p and q. Every discriminant in this range can be factored."""
 
 COUNTED_PART = 20
-"""The largest p and q among the targets whose discriminants are counted."""
+"""The largest p and q of the targets in the count of discriminants."""
 
 
 PAPER = BodyChoice()
@@ -33,10 +33,10 @@ PAPER = BodyChoice()
 
 @st.cache_resource(show_spinner=False)
 def unit_equations() -> tuple[str, ...]:
-    """Return, as LaTeX, how the derivation gets from Ω² to the mass ratio at which the paper's machine is in step."""
+    """Return, as LaTeX, the equations from Ω² to the mass ratio at which the paper's machine is in step."""
     steps = route("euler_lagrange")
     frequency, condition = (steps[key].equations[-1] for key in ("ratio", "unit"))
-    # How the square is completed stands in the derivation, and the second sum beside the cubes.
+    # The derivation contains the completed square, and the section on cubes contains the second sum.
     *_square_is_completed, square, _second_sum, root = steps["root"].equations
     return tuple(map(latex, (frequency, condition, square, root)))
 
@@ -52,7 +52,7 @@ def discriminant_written_out() -> tuple[str, str]:
 
 @dataclass(frozen=True)
 class Story:
-    """What a machine's bodies and target lead to; formulas as LaTeX, the mass ratio also as a number."""
+    """The results for bodies and a target. Formulas are LaTeX; the mass ratio is also a number."""
 
     machine: BodyChoice
     quadratic: str
@@ -82,14 +82,14 @@ def story(left: str, right: str, top: str, p: int = 1, q: int = 1) -> Story:
 
 @st.cache_resource(show_spinner=False)
 def machines() -> tuple[BodyChoice, ...]:
-    """Return all 40 machines at the unit frequency, their factors and cubes at hand."""
+    """Return all 40 machines at the unit frequency, and cache their factors and cubes."""
     return tuple(number_theory.machines())
 
 
 def practical_machines() -> list[tuple[Fraction, Fraction, float]]:
-    """Return the first convergents of the paper's mass ratio, as machines to build for a workshop.
+    """Return the first convergents of the paper's mass ratio, as machines for a workshop.
 
-    Each has its ratio, the exact error that this leaves in Ω²m/k, and after how many periods it is one turn off.
+    Each has its ratio, the exact error in Ω²m/k, and the number of periods until it is one turn off.
     """
     ratios = number_theory.convergents(quotients(5))
     errors = [number_theory.normalized_frequency_squared_exact(*PAPER.bodies, ratio) - 1 for ratio in ratios]
@@ -119,7 +119,7 @@ def norm_identity() -> str:
     rest = middle / (2 * root)
     y = sp.sqrt(sp.expand((b**2 - 4 * a * c - (root * q + rest) ** 2) / 3))
     x = root * q + rest
-    # Each sum with its positive term first, as one writes it.
+    # Write the positive term of each sum first.
     b, x, minus_c = sp.latex(b), sp.latex(x, order="rev-lex"), sp.latex(sp.expand(-c), order="rev-lex")
     a, y = sp.latex(a), sp.latex(y)
     lines = rf"&({b})^2 + 4\cdot {a}\,({minus_c}) \\ &\quad = ({x})^2 + 3\,({y})^2"
@@ -160,11 +160,11 @@ def factored_cubes(number: int) -> str:
 
 
 def as_norm(p: int, q: int) -> str:
-    """Return, as LaTeX, the norm x² + 3y² that belongs to the target p/q, and what it says of the discriminant."""
+    """Return, as LaTeX, the norm x² + 3y² of the target p/q, and its relation to the discriminant."""
     target = Fraction(p, q)
     x, y = number_theory.norm_form(target)
     number = BodyChoice(target=target).discriminant
-    # Where the quadratic's coefficients share a factor, the norm carries its square.
+    # If the coefficients of the quadratic have a common factor, the norm contains its square.
     shared = isqrt((x * x + 3 * y * y) // number)
     right = f"{shared}^2 \\cdot {number}" if shared > 1 else str(number)
     return f"{f'({x})' if x < 0 else x}^2 + 3 \\cdot {y}^2 = {right}"
@@ -172,7 +172,7 @@ def as_norm(p: int, q: int) -> str:
 
 @dataclass(frozen=True)
 class Tally:
-    """A pair of lower rollers, over many targets and all four top bodies: how many discriminants are sums of cubes."""
+    """The number of discriminants that are sums of cubes for two lower rollers, many targets and all top bodies."""
 
     pair: tuple[str, str]
     machines: int
@@ -198,13 +198,13 @@ def tally(left: str, right: str) -> Tally:
 
 
 def product_of_primes(factorization: Sequence[tuple[int, int]]) -> str:
-    """Return a factorization as LaTeX; a first power is written without exponent."""
+    """Return a factorization as LaTeX. A first power has no exponent."""
     powers = (sp.Pow(prime, exponent, evaluate=exponent == 1) for prime, exponent in factorization)
     return sp.latex(sp.Mul(*powers, evaluate=False), mul_symbol="dot", order="none") if factorization else "1"
 
 
 def sums_of_cubes(cubes: Sequence[tuple[int, int]]) -> str:
-    """Return sums of two cubes as LaTeX, joined by equals signs; nothing if there are none."""
+    """Return sums of two cubes as LaTeX, joined by equals signs; an empty text for none."""
     with sp.evaluate(False):
         sums = [sp.Add(sp.Pow(x, 3), sp.Pow(y, 3)) for x, y in cubes]
     return " = ".join(sp.latex(total, order="none") for total in sums)

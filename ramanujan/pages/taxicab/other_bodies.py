@@ -1,4 +1,4 @@
-"""The section of page 4 on other bodies: choosers, the machine they make, its numbers, and all forty machines."""
+"""The section of page 4 on other bodies: options, the chosen machine, its numbers, and all forty machines."""
 
 from base64 import b64encode
 from fractions import Fraction
@@ -17,7 +17,7 @@ from ramanujan.shell.sections.bodies import PAPER, PLACE_WORDS
 from ramanujan.translation import _, ngettext
 
 WORDS = {"hoop": _("hoop"), "shell": _("shell"), "cylinder": _("cylinder"), "sphere": _("sphere")}
-"""Body → what one calls it."""
+"""Body → its name."""
 URL_PARAMETERS = tuple(address.Choice(place, WORDS, body) for place, body in PAPER.items())
 STAGE = "stage_bodies"
 FOLLOWERS = ("bodies_machine", "bodies_numbers")
@@ -25,7 +25,7 @@ FOLLOWERS = ("bodies_machine", "bodies_numbers")
 
 
 def other_bodies() -> None:
-    """Draw choosers, stage, numbers and the table of all machines."""
+    """Draw options, stage, numbers and the table of all machines."""
     with slide("bodies", _("Other bodies")):
         st.header(_("Other bodies, other numbers"), anchor=False)
         st.markdown(
@@ -38,7 +38,7 @@ def other_bodies() -> None:
         choose()
         chosen = [address.held(key) for key in URL_PARAMETERS]
         story = cache.story(*chosen)
-        # On a projector the pickers need the height of the clocks.
+        # In the projector view the options need the height of the clocks.
         stages.mount(None, key=STAGE, layers=(), dials=not display_mode.is_projector())
         tell_machine(chosen)
     with slide("forty", _("All machines")):
@@ -50,7 +50,7 @@ def other_bodies() -> None:
 
 
 def choose() -> None:
-    """Draw the choosers, set out like the machine: the body on top stands above, to the right."""
+    """Draw the options in the arrangement of the machine: the top body is above, to the right."""
     pictures, above = st.columns(2, vertical_alignment="center")
     pictures.html(legend(theme.colors()["block"]))
     for column, key in zip((*st.columns(2), above), URL_PARAMETERS, strict=True):
@@ -60,7 +60,7 @@ def choose() -> None:
 
 @st.fragment(key="bodies_machine")
 def tell_machine(chosen: list[str]) -> None:
-    """Tell the stage and the sliders' boxes which machine it is; a slider reruns nothing else of the section."""
+    """Publish the machine to the stage and the boxes of the sliders. A slider reruns only this fragment."""
     left, right, top = (float(BODIES[body]) for body in chosen)
     stages.tell(
         stage.payload(
@@ -72,7 +72,7 @@ def tell_machine(chosen: list[str]) -> None:
 
 
 def about_bodies(story: cache.Story) -> None:
-    """Say what the chosen bodies lead to."""
+    """Describe the machine with the chosen bodies."""
     machine = story.machine
     st.markdown(f"**{name(machine)}**")
     st.latex(story.quadratic)
@@ -89,7 +89,7 @@ def about_bodies(story: cache.Story) -> None:
 
 @st.fragment(key="bodies_numbers")
 def with_your_masses(machine: BodyChoice) -> None:
-    """Say how fast the machine with these bodies is with the masses of the sidebar."""
+    """State the frequency of the machine with these bodies and the masses of the sidebar."""
     if display_mode.hides("numbers"):
         return
     oscillator = sidebar.oscillator()
@@ -104,7 +104,7 @@ def with_your_masses(machine: BodyChoice) -> None:
 
 
 def about_cubes(story: cache.Story) -> str:
-    """Say of a discriminant, with its prime factors, whether it is a sum of two cubes."""
+    """Factor a discriminant, and state whether it is a sum of two cubes."""
     ways = len(story.machine.cubes)
     sentence = (
         ngettext(
@@ -170,20 +170,20 @@ def forty_machines(chosen: BodyChoice) -> None:
 
 
 def take_clicked(point: dict[str, float]) -> None:
-    """Put the bodies of the machine that was clicked into their places."""
+    """Choose the bodies of the clicked machine."""
     for machine in cache.machines()[len(BODIES) * int(point["y"]) + int(point["x"]) :][:1]:
         st.session_state.update(zip(PAPER, machine.bodies, strict=True))
 
 
 def name(machine: BodyChoice) -> str:
-    """Return the bodies in words."""
+    """Return the names of the bodies."""
     return _("Lower rollers: {left} and {right}; on\u00a0top: {top}").format(
         **{place: WORDS[body] for place, body in zip(PAPER, machine.bodies, strict=True)}
     )
 
 
 def pair(left: str, right: str) -> str:
-    """Return a pair of lower rollers in words."""
+    """Return the names of a pair of lower rollers."""
     return _("{left} + {right}").format(left=WORDS[left], right=WORDS[right])
 
 
@@ -194,12 +194,12 @@ def legend(color: str) -> str:
         f' alt="" src="{_address(body, color)}"><figcaption>{WORDS[body]}<br>β = {beta}</figcaption></figure>'
         for body, beta in BODIES.items()
     ]
-    row = "<div style='display:flex;flex-wrap:wrap;gap:.6rem 1rem'>{}</div>"  # four in a row, or two and two
+    row = "<div style='display:flex;flex-wrap:wrap;gap:.6rem 1rem'>{}</div>"  # Draw four in a row, or two rows of two.
     return row.format(row.format("".join(figures[:2])) + row.format("".join(figures[2:])))
 
 
 def _address(body: str, color: str) -> str:
-    """Return the drawing of a body as an address that holds it."""
+    """Return the drawing of a body as a data URL."""
     ink = f'stroke="{color}" fill="none"'
     drawings = {
         "hoop": f'<circle cx="24" cy="24" r="19" stroke-width="5" {ink}/>',

@@ -24,7 +24,7 @@ FOLLOWERS = ("unit_curve",)
 
 
 def another_target() -> None:
-    """Ask for another target of the paper's machine, and say what it leads to."""
+    """Draw the options for another target of the paper's machine, and describe the result."""
     asked = address.held(P), address.held(Q)
     with st.expander(_("Another frequency, another number: choose $\\Omega^2m/k=p/q$"), expanded=asked != (1, 1)):
         with st.container(horizontal=True):
@@ -43,7 +43,7 @@ def another_target() -> None:
 
 
 def _reached() -> cache.Story:
-    """Return the story of the target that is asked for; where no machine reaches it, that of the last one reached."""
+    """Return the story of the chosen target. If no machine reaches it, return that of the last reachable target."""
     try:
         story = cache.story(*PAPER.bodies, address.held(P), address.held(Q))
     except ValueError:
@@ -54,7 +54,7 @@ def _reached() -> cache.Story:
 
 
 def about_target(story: cache.Story) -> None:
-    """Say what the target leads to."""
+    """Describe the results for the target."""
     target, discriminant = story.machine.target, story.machine.discriminant
     st.latex(story.quadratic)
     st.latex(rf"\varepsilon = {story.root}")
@@ -67,7 +67,7 @@ def about_target(story: cache.Story) -> None:
 
 @st.fragment(key="unit_curve")
 def the_curve() -> None:
-    """Draw the paper's curve, where it reaches the target, and the present machine, unless the link hides them."""
+    """Draw the paper's curve, the target on it, and the current machine, unless the link hides them."""
     if display_mode.hides("curve", "numbers"):
         return
     story, machine = _reached(), sidebar.oscillator()
@@ -94,7 +94,7 @@ def the_curve() -> None:
 
 
 def open_question() -> None:
-    """Say what has a reason, what was measured, and what stays a coincidence."""
+    """Draw the open question: explained facts, measured facts, and remaining coincidences."""
     with slide("reason", _("Is there a reason?")):
         st.header(_("Is there a reason?"), anchor=False)
         sentence = _(
@@ -131,7 +131,7 @@ def open_question() -> None:
 
 
 def where_the_form_comes_from() -> None:
-    """Say which bodies lead to the form, for any target."""
+    """Name the bodies that lead to the form for any target."""
     x, y = number_theory.norm_form()
     sentence = _(
         "**Where the form comes from.** The discriminant of the paper’s machine is ${x}^2+3\\cdot{y}^2={number}$. A "
@@ -144,7 +144,7 @@ def where_the_form_comes_from() -> None:
 
 
 def what_it_means() -> None:
-    """Say why the discriminant is a norm."""
+    """Explain why the discriminant is a norm."""
     words, formula = columns("norm")
     with words:
         st.markdown(
@@ -163,7 +163,7 @@ def what_it_means() -> None:
 
 
 def the_number_as_a_norm() -> None:
-    """Say what follows from the norm for the paper's number."""
+    """Explain the consequences of the norm for the paper's number."""
     ways = number_theory.represent_x2_plus_3y2(PAPER.discriminant)
     primes = [prime for prime, _power in PAPER.factorization]
     norms = {prime: number_theory.represent_x2_plus_3y2(prime)[0] for prime in primes}
@@ -204,7 +204,7 @@ def _counted(pairs: list[tuple[str, str]]) -> list[cache.Tally]:
 
 
 def count_of_cubes(tallies: list[cache.Tally], at: int) -> None:
-    """Draw how many discriminants are sums of two cubes, for each pair of lower rollers."""
+    """Draw the number of discriminants that are sums of two cubes, for each pair of lower rollers."""
     paper = tallies[at]
     second = max((tally for tally in tallies if tally is not paper), key=lambda tally: tally.sums)
     smaller = [tally for tally in tallies if tally.median < paper.median]
@@ -229,7 +229,7 @@ def count_of_cubes(tallies: list[cache.Tally], at: int) -> None:
 
 
 def what_stays(paper: cache.Tally) -> None:
-    """Say what stays a coincidence."""
+    """Name the remaining coincidences."""
     near = ", ".join(str(machine.discriminant) for machine in number_theory.one_change_away())
     sentence = _(
         "**What stays a coincidence.** The simplest target, 1, gives a number that is a sum of two cubes in *two* "

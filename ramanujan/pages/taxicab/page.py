@@ -32,7 +32,7 @@ def show() -> None:
 
 
 def in_step() -> None:
-    """The story of the taxicab, and the unit condition as algebra and on the curve; folded: other targets on it."""
+    """Draw the story of the taxicab, and the unit condition as algebra and on the curve. Other targets are folded."""
     st.title(str(PAPER.discriminant), anchor=False)
     words, figure = columns("in_step")
     with words:
@@ -64,7 +64,7 @@ def in_step() -> None:
 
 
 def digits_and_fractions() -> None:
-    """The exact ratio in any number of digits, and as fractions for the workshop."""
+    """Draw the exact ratio with any number of digits, and its fractions for the workshop."""
     decimals, fractions = st.columns([2, 3], gap="medium") if is_projector() else columns("ratios")
     with decimals:
         count = widgets.count(DIGITS, _("Digits of ε after the decimal point"), step=10, width=330)
@@ -102,7 +102,7 @@ def scientific(value: Fraction) -> str:
 
 
 def two_stacks() -> None:
-    """The number as two stacks of cubes."""
+    """Draw the number as two stacks of cubes."""
     st.header(_("Two stacks of cubes"), anchor=False)
     sentence = _(
         "${number}={cubes}$. This page has tried 1, 2, 3, … in turn: **{smallest}** is the smallest number that is a "

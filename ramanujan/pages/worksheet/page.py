@@ -1,4 +1,4 @@
-"""A worksheet to hand out: questions about this machine with space to write, or the key; the browser prints it."""
+"""A printable worksheet: questions about the current machine with space to write, or the answer key."""
 
 from collections.abc import Iterable, Iterator
 from contextlib import nullcontext
@@ -24,7 +24,7 @@ KEY = worksheet_keys.key_parameter("key")
 LEVEL_WORDS = {1: _("Derivation with few blanks"), 2: _("With many blanks"), 3: _("On a blank page")}
 LEVEL = address.Choice("level", LEVEL_WORDS, 1)
 URL_PARAMETERS = (PAPER, SEED, LEVEL, KEY)
-# The lines of a slide, letters in a line, and letters of LaTeX in a row of formulas.
+# Lines of a slide, letters in a line, and letters of LaTeX in a row of formulas.
 _LINES, _WIDTH, _ROW = {"questions": 15, "key": 11}, 105, 330
 _LINE = "<span style='flex:1;border-bottom:1px solid'></span>"
 
@@ -68,7 +68,7 @@ def together(
 
 
 def written(question: WorksheetQuestion, with_key: bool) -> tuple[str, ...]:
-    """Return a question as pieces of Markdown."""
+    """Return a question as a list of Markdown texts."""
     options = "\n".join(f"- {option}" for option in question.options)
     if not with_key:
         return question.text, options, question.blanks
@@ -76,12 +76,12 @@ def written(question: WorksheetQuestion, with_key: bool) -> tuple[str, ...]:
 
 
 def uses_sidebar() -> bool:
-    """Leave the sidebar folded: what is printed is chosen on the page."""
+    """Return False: the sidebar starts closed, because the page has its own options."""
     return False
 
 
 def choose() -> tuple[str, str, int]:
-    """Draw the choice of worksheet and level, and with a key between questions and key; none of it is printed."""
+    """Draw the options: worksheet, level, and with a key questions or answers. They are not printed."""
     with st.container(horizontal=True, vertical_alignment="bottom", key="worksheet_choices"):
         has_key, paper = worksheet_keys.fits(KEY, address.held(SEED)), "questions"
         if has_key:
@@ -99,7 +99,7 @@ def choose() -> tuple[str, str, int]:
 
 
 def name_of_worksheet() -> None:
-    """Draw the box with the worksheet’s name, into which a reader types the name on their paper."""
+    """Draw the box for a worksheet’s name, which a reader copies from paper."""
 
     def take() -> None:
         if name := worksheet_keys.read_name(st.session_state["worksheet_name"]):
@@ -116,13 +116,13 @@ def name_of_worksheet() -> None:
 
 
 def make_worksheet() -> None:
-    """Take a new key and the worksheet that belongs to it, in a callback."""
+    """Create a new key and its worksheet, in a callback."""
     key = worksheet_keys.new()
     st.session_state.update({KEY.name: key, SEED.name: worksheet_keys.name(key)})
 
 
 def head(machine: Oscillator, paper: str, seed: str, calculations: list[int], points: int) -> None:
-    """Draw the title with the name, by which worksheet and key find each other, and the machine of the calculations."""
+    """Draw the title with the name of the worksheet and its key, and the machine of the calculations."""
     title = _("Ramanujan’s oscillator: key {seed}") if paper == "key" else _("Ramanujan’s oscillator: worksheet {seed}")
     st.title(title.format(seed=spaced(seed)), anchor=False)
     if paper == "questions" and not is_projector():
@@ -153,7 +153,7 @@ def head(machine: Oscillator, paper: str, seed: str, calculations: list[int], po
 
 
 def draw(number: int, question: WorksheetQuestion, with_key: bool) -> None:
-    """Draw a question with room to write, or with its answer; only its lines may go on overleaf."""
+    """Draw a question with space to write, or with its answer. A page break may split only its lines."""
     with st.container(key=f"question_{number}"):
         worth = ngettext("({n} point)", "({n} points)", question.points).format(n=question.points)
         begin = f"**{number}.** " if is_projector() else f"**{number}.** {worth} "

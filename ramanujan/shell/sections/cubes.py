@@ -1,4 +1,4 @@
-"""The two stacks of cubes: on page 4, and at the last step of the derivation."""
+"""The two stacks of cubes, on page 4 and at the last step of the derivation."""
 
 from ramanujan.browser import components
 from ramanujan.number_theory import BodyChoice
@@ -9,7 +9,7 @@ PAPER = BodyChoice()
 
 
 def stacks() -> None:
-    """Draw the two stacks, each with its sum, which a line breaks before a sign of equality alone."""
+    """Draw the two stacks, each with its sum. A line breaks only before an equals sign."""
     components.cubes(
         [(larger, smaller) for smaller, larger in PAPER.cubes],
         [in_words(*cubes) for cubes in PAPER.cubes],
@@ -18,7 +18,7 @@ def stacks() -> None:
 
 
 def in_words(smaller: int, larger: int) -> str:
-    """Return what is seen of two cubes that add up to the number."""
+    """Return the text alternative of two cubes that add up to the number."""
     sees = _(
         "Two cubes built of unit cubes, {larger} and {smaller} along each edge. Together they have {volumes} = "
         "{number} unit cubes."

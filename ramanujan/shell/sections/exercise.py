@@ -1,7 +1,7 @@
-"""An exercise by link: chosen questions and tasks, one at a time, and at the end a worksheet to print or to save.
+"""An exercise by link: chosen questions and tasks, one at a time, and at the end a worksheet to print or save.
 
-The lecturer composes the link on the page Worksheet. The link for students has a name; the lecturer's has the key,
-too, to which the name belongs (`shell/worksheet_keys.py`).
+The lecturer composes the link on the page Worksheet. The link for students contains the name of the exercise, and the
+lecturer's link also contains its key (`shell/worksheet_keys.py`).
 """
 
 import streamlit as st
@@ -27,7 +27,7 @@ FILE = "exercise.md"
 
 
 def show(items: tuple[str, ...]) -> None:
-    """Draw the present item of an exercise, or after the last one the worksheet."""
+    """Draw the current item of an exercise, or the worksheet after the last item."""
     headings, with_key = [*map(title, items), END], worksheet_keys.fits(KEY, address.held(WORKSHEET))
     now = min(address.held(ITEM), len(headings))
     with st.container(key="lesson_head"):
@@ -66,7 +66,7 @@ def finish(items: tuple[str, ...]) -> None:
 
 
 def written_worksheet(items: tuple[str, ...]) -> str:
-    """Return the worksheet as Markdown: each item, what was answered, when it became right, how many hints it took."""
+    """Return the worksheet as Markdown: each item with its answer, the time of the first right one, and used hints."""
     lines = ["# " + _("Ramanujan’s oscillator: exercise"), _("Name: {line} Date: {line}").format(line="\\_" * 16), ""]
     for number, item in enumerate(items, start=1):
         is_question = item in QUESTIONS
@@ -76,7 +76,7 @@ def written_worksheet(items: tuple[str, ...]) -> str:
         if found is None:
             lines.append("   - " + (_("Not answered.") if is_question else _("Not done yet.")))
         else:
-            # Between these marks Markdown takes nothing for a command.
+            # Between these marks Markdown interprets nothing.
             answer = f"`` {' '.join(found.answer.split()).replace('`', '')} ``" if is_question else found.answer
             lines.append("   - " + _("Answer: {answer}").format(answer=answer))
             right = _("Right since {time}.") if found.right_since else _("Not right yet.")
@@ -88,7 +88,7 @@ def written_worksheet(items: tuple[str, ...]) -> str:
 
 
 def compose() -> None:
-    """Draw what composes the links of an exercise; it is neither printed nor shown on a projector."""
+    """Draw the editor for the links of an exercise. It is neither printed nor shown in the projector view."""
     if display_mode.is_projector():
         return
     with st.expander(_("Make an exercise of questions and tasks, as a link for students")):

@@ -1,4 +1,4 @@
-"""A question with a box for a typed formula, hints and a verdict: on page 2, and in exercises."""
+"""A question with a box for a typed formula, hints and a verdict, on page 2 and in exercises."""
 
 from dataclasses import dataclass
 from datetime import datetime
@@ -23,23 +23,23 @@ VERDICTS = {
     "unreadable": (st.error, ":material/help:"),
 }
 _LONGEST = 1000
-"""Characters of an answer that are kept."""
+"""Largest length of a stored answer."""
 _GIVEN = "answers_given"
 """Session state: question or task → its `Given`."""
 
 
 @dataclass(frozen=True)
 class Given:
-    """What was last answered, and when it was first right; from then on it stays."""
+    """The last answer, and the time of the first right one."""
 
     answer: str
     right_since: datetime | None
 
 
 def try_it() -> None:
-    """Ask for a formula, say whether it is right or what is missing, and list what has been solved."""
+    """Draw a question with its verdict, and list the solved questions."""
     st.header(_("Try it yourself"), anchor=False)
-    # The words of a menu's options stay: a browser names its choice by them.
+    # These labels must not change, because the browser identifies an option by its label.
     name = widgets.selectbox(QUESTION, _("What do you want to work out?"), {name: title(name) for name in QUESTIONS})
     take(name)
     ask(name)
@@ -49,24 +49,24 @@ def try_it() -> None:
 
 
 def title(name: str) -> str:
-    """Return what a question asks for, as a title."""
+    """Return the title of a question."""
     quantity = question(name).quantity
     return quantity[:1].upper() + quantity[1:]
 
 
 def is_solved(name: str) -> bool:
-    """Tell whether a question has been answered rightly."""
+    """Return whether a question has a right answer."""
     return bool((found := given(name)) and found.right_since)
 
 
 def take(name: str, place: str = "") -> None:
-    """Judge what has been typed as the answer to a question, and keep it."""
+    """Judge a typed answer to a question, and store it."""
     if text := st.session_state.get(f"answer_{place}{name}"):
         keep(name, text, verdict_on(name, text).kind == "right")
 
 
 def keep(name: str, answer: str, is_right: bool) -> None:
-    """Keep an answer for the session; the first right one stays."""
+    """Store an answer for the session. The first right answer is not replaced."""
     before = given(name)
     if before is None or not before.right_since:
         now = datetime.now(local_time.time_zone()) if is_right else None
@@ -74,14 +74,14 @@ def keep(name: str, answer: str, is_right: bool) -> None:
 
 
 def given(name: str) -> Given | None:
-    """Return what has been answered to a question or task."""
+    """Return the answer to a question or task."""
     return st.session_state.get(_GIVEN, {}).get(name)
 
 
 def ask(name: str, with_step: bool = True, place: str = "") -> None:
-    """Ask for one formula, with hints; the last one, where it is offered, shows the step.
+    """Draw one question with hints. The last hint, if available, shows the step.
 
-    Beside a question that has no other `place` stands the machine with its coordinates.
+    If no other `place` is given, the machine with its coordinates is next to the question.
     """
     if place:
         pose(name, with_step, place)
@@ -98,12 +98,12 @@ def ask(name: str, with_step: bool = True, place: str = "") -> None:
 
 @st.fragment(key="asked_machine")
 def tell_machine() -> None:
-    """Tell the machine beside a question what is set."""
+    """Publish the settings of the machine next to a question."""
     stages.tell(stage.payload(sidebar.oscillator(), sidebar.compression()), key="stage_asked")
 
 
 def pose(name: str, with_step: bool, place: str = "") -> None:
-    """Draw a question with its box and the verdict, and with hints, unless another `place` has the step’s reason."""
+    """Draw a question with its box and verdict. Draw its hints, unless another `place` has the step’s reason."""
     asked = question(name)
     st.markdown(asked.prompt())
     names = " ".join(f"`{each}`" for each in (*asked.accepted, "sqrt( )"))
@@ -136,13 +136,13 @@ def step_to_answer(name: str) -> str:
 @st.cache_data(show_spinner=False, max_entries=512)
 @giving_way()
 def verdict_on(name: str, text: str) -> Verdict:
-    """Return the verdict on an answer; the first one of a question also derives its answer and typical mistakes."""
+    """Return the verdict on an answer. The first call for a question also derives its answer and typical mistakes."""
     return judge(name, text)
 
 
 @st.cache_data(show_spinner=False, max_entries=512)
 def as_read(text: str, is_equation: bool = False) -> str | None:
-    """Return a formula as LaTeX, as the parser has read it, or None if it cannot read it."""
+    """Return a formula as LaTeX as the parser understands it, or None if it is invalid."""
     try:
         return typeset(text, is_equation=is_equation)
     except UnreadableError:

@@ -1,4 +1,4 @@
-"""The tasks of the lesson on the page: choose one, set the machine, read the verdict."""
+"""The tasks of the lesson on the page: choose a task, set the machine, read the verdict."""
 
 from dataclasses import replace
 from functools import partial
@@ -31,7 +31,7 @@ _EXAMPLE = _("For example {entry}")
 
 
 def draw(task: Task) -> TaskVerdict:
-    """Draw a task, and return how far it is done."""
+    """Draw a task, and return its progress."""
     with slide("task", task.heading):
         words = picture = st.container(key="beside" if task.stage else None)
         if task.stage and is_projector():
@@ -49,7 +49,7 @@ def draw(task: Task) -> TaskVerdict:
         if task.stage:
             with picture:
                 machine(task, attempt)
-        # On a projector there is room for it below a machine without clocks.
+        # In the projector view there is room below a machine without clocks.
         with picture if is_projector() and task.fields else words:
             with st.container(key="task_verdict"):
                 judged = verdict(task, attempt)
@@ -58,7 +58,7 @@ def draw(task: Task) -> TaskVerdict:
 
 
 def verdict(task: Task, attempt: Attempt) -> TaskVerdict:
-    """Say whether the task is done, and how far away the goal is."""
+    """State whether the task is complete, and the distance to the goal."""
     judged = task.judge(attempt)
     if not judged.is_judged:
         st.markdown(f":small[{widgets.plain(judged.sentence)}]")
@@ -70,14 +70,14 @@ def verdict(task: Task, attempt: Attempt) -> TaskVerdict:
 
 
 def machine(task: Task, attempt: Attempt) -> None:
-    """Draw the machine as it was set."""
+    """Draw the machine with its settings."""
     shown = {"key": f"stage_task_{task.id}", "narrow": True, "hide": task.hides, "compact": "formula" in task.fields}
     shown["layers"] = ("coordinates",) if shown["compact"] else ()
     with st.container(key="observed_part"):
         if "release" not in task.fields:
             stages.mount(stage.payload(attempt.machine, attempt.compression), **shown)
             return
-        # How this machine starts is set beside it, and not with the slab.
+        # The initial motion of this machine has its own controls, so the slab cannot be dragged.
         initial = with_initial_velocities(attempt.machine, attempt.release, attempt.glide, attempt.spin)
         stages.mount(
             stage.payload(attempt.machine, attempt.release, initial=initial),
@@ -93,7 +93,7 @@ def _bodies() -> tuple[str, ...]:
 
 
 def _part() -> float | None:
-    """Draw the box for a part of a period, and return its number; a number with two readings is none."""
+    """Draw the box for a fraction of a period, and return its number; None for an ambiguous number."""
     text = st.text_input(_("Part of a period"), key="task_part", placeholder=_EXAMPLE.format(entry="1/3"))
     if refusal := ambiguous_number(text):
         st.markdown(f":small[{widgets.plain(refusal)}]")
@@ -113,4 +113,4 @@ FIELDS = {
     "steps": lambda: widgets.count(STEPS, _("Steps per period")),
     "bodies": _bodies,
 }
-"""What draws a part of a `Attempt` and returns it."""
+"""Name of a field of `Attempt` → function that draws its control and returns its value."""
