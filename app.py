@@ -9,7 +9,7 @@ import streamlit as st
 if __name__ == "__main__":
     from ramanujan.shell import address, display_mode, first_run, links, messages, navigation, sidebar
 
-    # Set the app's own icon first: for a page's icon, Streamlit's page loads a font from another server.
+    # Set the app's icon first, because Streamlit would load a font from another server for a page's icon.
     st.set_page_config(page_icon="🚕")
     only_machine = first_run.begin()
     page, script = navigation.navigate(hidden=only_machine)

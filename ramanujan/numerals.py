@@ -1,14 +1,14 @@
-"""How numbers are written for people: significant digits, thin spaces, a true minus sign, powers of ten.
+"""Format numbers for people: significant digits, thin spaces, a true minus sign, powers of ten.
 
     number(0.0332)            0.033             fixed(-0.5, 2)             −0.50
     number(12345.0, 3)        12 300            quantity(2.54, "m/s", 3)   2.54 m/s
     number(4.56e153)          4.6×10¹⁵³         percent(0.25)              25 %
     filled("It takes {t:3 s}.", t=0.61)         It takes 0.610 s.
-    at_most(5.36e-16, 1), at_least(0.36, 1)     6×10⁻¹⁶, 0.3: bounds that are rounded to their own side
+    at_most(5.36e-16, 1), at_least(0.36, 1)     6×10⁻¹⁶, 0.3: an upper and a lower bound
     filled("All {n:word} forms are equal.", n=7)    All seven forms are equal.
 
-The decimal mark is that of the language. `components/sentences.js` follows the same rules in the browser. LaTeX has its
-own digits, in `derivation.printers`. Files for programs keep Python's way to write numbers.
+The language determines the decimal mark. `components/sentences.js` applies the same rules in the browser, and
+`derivation.printers` formats numbers in LaTeX. Files for programs use Python's format.
 """
 
 import math
@@ -24,7 +24,7 @@ from ramanujan.translation import _, pgettext
 # TRANSLATORS: a point or a comma: what your language writes between 0 and 5 in one half.
 DECIMAL = pgettext("decimal mark", ".")
 THIN = "\u202f"
-"""A thin space that does not break: between groups of three digits, and between a number and its unit."""
+"""A thin no-break space, between groups of three digits, and between a number and its unit."""
 
 # TRANSLATORS: the numbers from one to twelve as your language writes them before a noun, a space between two of them.
 _WORDS = pgettext("before a noun", "one two three four five six seven eight nine ten eleven twelve").split()
@@ -33,7 +33,7 @@ _WORDS_ALONE = pgettext("without a noun", "one two three four five six seven eig
 
 SUPERSCRIPTS = str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹")
 FROM_SUPERSCRIPTS = str.maketrans("⁻⁰¹²³⁴⁵⁶⁷⁸⁹", "-0123456789")
-"""Small raised digits, and the way back."""
+"""Translation tables from digits to superscripts, and back."""
 
 _OTHER_MARK = "," if DECIMAL == "." else "."
 _MAYBE_THOUSANDS = re.compile(rf"[+-]?[1-9]\d{{0,2}}{re.escape(_OTHER_MARK)}\d{{3}}", re.ASCII)
@@ -50,13 +50,13 @@ Number = float | int | Decimal
 
 
 def number(value: Number, digits: int = 2, *, strip: bool = False) -> str:
-    """Return a number with `digits` significant digits; an integer below a million keeps all of its own.
+    """Return a number with `digits` significant digits; an integer below a million keeps all its digits.
 
     Parameters
     ----------
     value : any real number, also a NumPy scalar
     digits : significant digits
-    strip : leave out the zeros at the end of a decimal
+    strip : whether to omit trailing zeros of a decimal
 
     >>> number(0.0332), number(-12345.0, 3), number(1729), number(4.56e153), number(1e6)
     ('0.033', '−12\\u202f300', '1729', '4.6×10¹⁵³', '10⁶')
@@ -88,7 +88,7 @@ def number(value: Number, digits: int = 2, *, strip: bool = False) -> str:
 def at_most(value: Number, digits: int = 2) -> str:
     """Return an upper bound of a number: the number rounded up to `digits` significant digits.
 
-    Use it wherever a sentence says "at most", "up to", "below" or "never exceeds".
+    Use it in a sentence with "at most", "up to", "below" or "never exceeds".
 
     >>> at_most(5.36e-16, 1), at_most(130298.5, 3), at_most(0.1, 1), at_most(-1.25, 2)
     ('6×10⁻¹⁶', '131\\u202f000', '0.1', '−1.2')
@@ -205,7 +205,7 @@ def quantity(value: Number, unit: str, digits: int = 2, *, strip: bool = False) 
 
 
 def with_unit(text: str, unit: str) -> str:
-    """Return a number that is text already with its unit; without a unit, as it is.
+    """Return a formatted number with its unit; without a unit, return it unchanged.
 
     >>> with_unit("2", "kg")
     '2\\u202fkg'
@@ -214,7 +214,7 @@ def with_unit(text: str, unit: str) -> str:
 
 
 def duration(seconds: float) -> str:
-    """Return a time in the unit that keeps it between 1 and 1000: s, ms, µs or ns.
+    """Return a time in s, ms, µs or ns, with a value between 1 and 1000.
 
     >>> duration(2.5e-5)
     '25\\u202fµs'
@@ -250,7 +250,7 @@ def filled(template: str, **values: object) -> str:
 
     Parameters
     ----------
-    template : as for `str.format`; any slot accepts a text, and a slot without digits a number that is a text already
+    template : as for `str.format`; any slot accepts a text, and a slot without digits accepts a formatted number
     values : by the names of the slots; a share is multiplied by 100 if its slot has the unit %
 
     >>> filled("{n} periods take {t:3 s}, {share:2 %} more than {least:1}.", n=7, t=0.61, share=0.25, least=4.0)
@@ -273,7 +273,7 @@ _WORD_FORMATS: dict[str, Callable[[int], str]] = {
     "alone": word_alone,
     "Alone": lambda count: _capital(word_alone(count)),
 }
-"""Format of a slot → what writes its count."""
+"""Format of a slot → function that writes its count."""
 
 
 class _Sentences(string.Formatter):
@@ -295,7 +295,7 @@ _SENTENCES = _Sentences()
 
 
 def unbroken(formulas: str) -> str:
-    """Return formulas for a text, whose lines break between two of them at most."""
+    """Return formulas for a text, with line breaks allowed only between two formulas."""
     return re.sub("(?<![,:;]) ", "\u00a0", formulas).replace("/", "/\u2060")
 
 
@@ -309,7 +309,7 @@ def power_of_ten(exponent: int) -> str:
 
 
 def superscript(exponent: int) -> str:
-    """Return an integer in small raised digits.
+    """Return an integer in superscript digits.
 
     >>> superscript(-12)
     '⁻¹²'
@@ -318,7 +318,7 @@ def superscript(exponent: int) -> str:
 
 
 def _grouped(text: str) -> str:
-    """Return digits that Python has grouped by commas with thin spaces, four without any, and a true minus sign."""
+    """Replace Python's grouping commas by thin spaces, or by nothing in four digits, and write a true minus sign."""
     whole, point, decimals = text.partition(".")
     thin = THIN if len(whole.lstrip("-")) > len("1,729") else ""
     return whole.replace(",", thin).replace("-", "−") + point.replace(".", DECIMAL) + decimals

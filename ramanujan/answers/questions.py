@@ -1,7 +1,7 @@
 """The questions, each with its prompt, right answer, mistakes, hints and the derivation step with the answer.
 
 Right answers come from the bodies and their elimination. Hints and steps come from the route of Euler and Lagrange. A
-new question is one entry of `_ALL`; the slips of its own are optional and belong in `mistakes`.
+new question is one entry of `_ALL`; its slips are optional and belong in `mistakes`.
 """
 
 from collections.abc import Callable, Mapping

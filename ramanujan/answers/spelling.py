@@ -30,7 +30,7 @@ MOTION = tuple(_MOTION)
 """The names of coordinates, velocities and accelerations."""
 
 TEXTBOOK = {name: sp.Symbol(name) for name in ("v", "omega", "I", "x")}
-"""The letters of the textbook's ½mv² + ½Iω² and ½kx²; the judge accepts them and asks for their meaning."""
+"""The letters of the textbook's ½mv² + ½Iω² and ½kx²; the judge's reply to them is a question about their meaning."""
 
 _ALL = {**SYMBOLS, **TEXTBOOK}
 

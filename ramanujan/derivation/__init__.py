@@ -1,7 +1,7 @@
 """Each route derives Ω² from the bodies and their rolling constraints, by SymPy.
 
-`ROUTES` maps a name to a `Route`; a route is derived when it is first asked for, and then kept. A route and its steps
-show themselves in a notebook.
+`ROUTES` maps a name to a `Route`, which is derived at its first use and cached. Jupyter displays routes and steps as
+Markdown.
 
 >>> from ramanujan.derivation import ROUTES
 >>> ROUTES["matrix"].natural_frequency_squared

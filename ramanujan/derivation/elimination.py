@@ -13,12 +13,12 @@ X_ddot, phi_ddot, Phi_ddot = (q.diff(t, 2) for q in COORDINATES)
 
 @dataclass(frozen=True)
 class Elimination:
-    """The three equations of motion, and the one that is left when X and Φ are expressed by φ.
+    """The three equations of motion, and the equation of φ after the elimination of X and Φ.
 
-    `momenta` are p = ∂ℒ/∂q̇ and `forces` ∂ℒ/∂q by coordinate; `motion` is ṗ − ∂ℒ/∂q (left side of … = 0), divided by
-    the `common` factor of its terms. `merged` are the three lines that eliminate Φ̈: `times` the X equation has a term
-    that the first line replaces. The others are Φ̈ in terms of Ẍ, Ẍ and Φ̈ in terms of φ̈, the φ equation as it is
-    after insertion and with like terms gathered, and Ω².
+    `momenta` maps each coordinate to p = ∂ℒ/∂q̇, and `forces` maps it to ∂ℒ/∂q. `motion` is ṗ − ∂ℒ/∂q, the left side
+    of … = 0, divided by the `common` factor of its terms. `merged` contains the three lines that eliminate Φ̈: the
+    first line replaces a term of the X equation multiplied by `times`. The other fields are Φ̈ in terms of Ẍ, Ẍ and Φ̈
+    in terms of φ̈, the φ equation after insertion and with like terms gathered, and Ω².
     """
 
     lagrangian: sp.Expr
@@ -82,7 +82,8 @@ def eliminate(bodies: Machine) -> Elimination:
 def _merged(motion: dict[sp.Expr, sp.Expr]) -> tuple[sp.Rational, tuple[sp.Eq, ...]]:
     """Return the factor of the X equation, and three lines.
 
-    These are the Φ equation solved for its term in Φ̈, that multiple of the X equation, and it with the term replaced.
+    The lines are the Φ equation solved for its term in Φ̈, the multiple of the X equation, and the multiple with that
+    term replaced.
     """
     of_Phi = motion[Phi].coeff(Phi_ddot) * Phi_ddot
     by_X = of_Phi - motion[Phi]

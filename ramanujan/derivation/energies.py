@@ -1,6 +1,6 @@
-"""Energies of the bodies: the steps with which every route that needs no forces begins, and the share of each part.
+"""Energies of the bodies: the first steps of every route without forces, and the energy of each part.
 
-The routes derive the energies; `printers` and the pages decide how they look.
+The routes derive the energies; `printers` and the pages format them.
 """
 
 from functools import cache
@@ -29,7 +29,7 @@ COLLECTED = blackboard(_("collect"))
 
 
 def rolled(body: Body, order: str = "") -> str:
-    """Return what gives a body's velocity, or its acceleration by the order ^2: rolling, or the block's coordinate."""
+    """Return the reason for a body's velocity, or acceleration with order ^2: rolling, or the block's coordinate."""
     if body.displacement.has(R):
         return blackboard(_("rolling without slipping"))
     return rf"\tfrac{{d{order}}}{{dt{order}}}\left({latex(body.displacement)}\right)"
@@ -151,7 +151,7 @@ def terms(equation: sp.Eq) -> dict[str, tuple[sp.Expr, ...]]:
 
 
 def belongs_to(part: str, equation: sp.Eq) -> bool:
-    """Tell whether an equation is about a part: its left side names it, or is the energy of the spring.
+    """Return whether an equation is about a part: its left side names the part, or is the energy of the spring.
 
     >>> from ramanujan.derivation import ROUTES
     >>> belongs_to("hoop", ROUTES["newton"]["torques"].equations[0])

@@ -1,6 +1,6 @@
 """Energy: the ratio of the two energies (Rayleigh's quotient) gives Ω² without any equation of motion.
 
-In the oscillating mode, block and top cylinder move along so that the kinetic energy for a given φ̇ is least:
+The motion of block and top cylinder in the oscillating mode minimizes the kinetic energy for a given φ̇:
 
     M_e = least value of 2T/(Rφ̇)² over Ẋ and Φ̇,    Ω² = [2U/(Rφ)²]/M_e = 4k/M_e.
 
@@ -23,7 +23,7 @@ xi, eta = sp.symbols("xi eta", real=True)
 
 
 def least_inertia(bodies: Machine) -> tuple[sp.Expr, dict[sp.Symbol, sp.Expr], sp.Expr]:
-    """Return the inertia 2T/(Rφ̇)² as a function of ξ and η, the shares where it is least, and its value there.
+    """Return the inertia 2T/(Rφ̇)² as a function of ξ and η, the position of its minimum, and its least value.
 
     >>> from ramanujan.derivation.model import machine
     >>> inertia, shares, least = least_inertia(machine())
@@ -158,7 +158,7 @@ def _bound_step(clamped: sp.Expr, least: sp.Expr, stiffness: sp.Expr) -> Step:
 
 
 def _spring_mass_step(bodies: Machine, least: sp.Expr, stiffness: sp.Expr) -> Step:
-    """Return the step to M_x; where its two terms merge, the sentence about one of them is left out."""
+    """Return the step to M_x, without the sentence about one of its two terms if they merge."""
     lever, spin = sp.cancel(bodies.deformation / (R * phi)) ** 2, spin_of_lower_rollers(bodies)
     spring_mass = sp.factor(least / lever)
     reason = _("With the deformation $2R\\varphi$ of the spring as coordinate, the machine acts like one mass $M_x$.")

@@ -97,7 +97,7 @@ def to_beamer(route: Route, numbers: Numbers | None = None, picture: str = "", s
     route : one of `ROUTES`, in symbols
     numbers : of the machine; none for the symbols
     picture : of the machine, as TikZ
-    step : the one that is wanted, counted from 1; none for all
+    step : number of the requested step, counted from 1; none for all
     """
     title = f"\\title{{{prose_to_latex(TITLE.format(route=route.title))}}}\n\\date{{}}\n"
     said = f"\n{prose_to_latex(stated(numbers))}\n" if numbers else ""
@@ -128,7 +128,7 @@ def to_notebook(route: Route, numbers: Numbers | None = None) -> str:
     Parameters
     ----------
     route : one of `ROUTES`, in symbols
-    numbers : of the machine that the last cells put in; none for the symbols
+    numbers : of the machine that the last cells insert; none for the symbols
     """
     cells = [
         _cell("title", "markdown", f"# {TITLE.format(route=route.title)}\n\n{_BODIES}"),
@@ -150,7 +150,7 @@ def to_notebook(route: Route, numbers: Numbers | None = None) -> str:
 
 
 def prose_to_latex(text: str) -> str:
-    """Return Markdown prose as LaTeX: formulas between dollar signs are kept, everything else is escaped."""
+    """Return Markdown prose as LaTeX: keep formulas between dollar signs, and escape the remaining text."""
     return "".join(
         part if _MATH.fullmatch(part) else "".join(_IN_PROSE.get(character, character) for character in part)
         for part in _MATH.split(text)
@@ -187,7 +187,7 @@ def _broken(shown: list[Row], width: int) -> list[tuple[Row, list[str]]]:
 
 
 def _display(broken: list[tuple[Row, list[str]]], width: int) -> str:
-    """Return rows as left &= right, a long sum broken into lines; an operation without room behind stands below."""
+    """Return rows as left &= right, with long sums broken into lines; an operation is behind its row or below it."""
     equations = []
     for row, lines in broken:
         below = " \\\\\n  &" if extent(lines[-1] + row.margin) > width else ""
@@ -212,7 +212,7 @@ def _numbers_stated(numbers: Numbers | None) -> str:
 
 
 def _assigned(numbers: Numbers) -> str:
-    """Return the line of a notebook that gives m, m′ and k their exact values, by the names that `BODIES` uses."""
+    """Return the notebook line that assigns exact values to m, m′ and k, under their names in `BODIES`."""
     pairs = ", ".join(f'{symbol.name}: sp.sympify("{sp.sstr(value)}")' for symbol, value in numbers.exact.items())
     return f"values = {{{pairs}}}\nvalues"
 

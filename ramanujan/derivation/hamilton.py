@@ -1,4 +1,4 @@
-"""Hamilton: two of the three canonical momenta are conserved, so that one degree of freedom is left.
+"""Hamilton: two of the three canonical momenta are conserved, so one degree of freedom remains.
 
 H contains neither X nor Φ. For fixed values of their momenta the machine acts like a single mass M_e on the spring:
 
@@ -32,9 +32,9 @@ def legendre_transform(bodies: Machine) -> tuple[dict[sp.Expr, sp.Expr], dict[sp
     momenta = {p: lagrangian.diff(v) for p, v in zip(MOMENTA, VELOCITIES, strict=True)}
     solved = sp.hessian(lagrangian, VELOCITIES).inv() * sp.Matrix(MOMENTA)
     velocities = {v: _one_fraction(value) for v, value in zip(VELOCITIES, solved, strict=True)}
-    # T is quadratic in the velocities, so Σ p q̇ = 2T and Σ p q̇ − ℒ = ½ Σ p q̇ + U: nothing has to be multiplied out.
+    # T is quadratic in the velocities, so Σ p q̇ = 2T and Σ p q̇ − ℒ = ½ Σ p q̇ + U. No expansion is necessary.
     kinetic = gather(sum(p * velocities[v] for p, v in zip(MOMENTA, VELOCITIES, strict=True)) / 2, MOMENTA)
-    # One term each for p_φ², p_φ and the products of the others.
+    # One term each for p_φ², p_φ and the products of the other momenta.
     square, linear, rest = (kinetic.coeff(p_phi, power) for power in (2, 1, 0))
     return momenta, velocities, square * p_phi**2 + sp.factor(linear) * p_phi + rest + bodies.potential_energy
 
@@ -219,7 +219,7 @@ def _inversion(momenta: dict[sp.Expr, sp.Expr]) -> tuple[sp.Eq, ...]:
 
 
 def _one_fraction(form: sp.Expr, others: tuple[sp.Expr, ...] = ()) -> sp.Expr:
-    """Return a form in the momenta, and in others, over one denominator, the numerator gathered."""
+    """Return a form in the momenta and other symbols over one denominator, with the terms of its numerator gathered."""
     numerator, denominator = sp.fraction(sp.together(gather(form, MOMENTA + others)))
     return gather(numerator, MOMENTA + others) / denominator
 

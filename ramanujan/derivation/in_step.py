@@ -1,4 +1,4 @@
-"""From Ω² to 1729: the mass ratio at which the machine is in step with a plain mass on the same spring, Ω² = k/m."""
+"""From Ω² to 1729: the mass ratio with Ω² = k/m, where the machine is in step with a plain mass on the same spring."""
 
 from dataclasses import dataclass, replace
 
@@ -37,11 +37,11 @@ _NORMALIZED = model.normalized_frequency_squared
 
 @dataclass(frozen=True)
 class RatioForms:
-    """Ω²m/k as a function of ε, and when it is 1.
+    """Ω²m/k as a function of ε, and the condition Ω²m/k = 1.
 
     Parameters
     ----------
-    numerator, terms : of the fraction that the elimination leaves; the terms of its denominator
+    numerator, terms : numerator of the fraction after the elimination; the terms of its denominator
     condition : the quadratic in ε, its root and its discriminant
     """
 
@@ -56,7 +56,7 @@ class RatioForms:
 
     @property
     def left_over(self) -> sp.Expr:
-        """The two terms that cancel at ε*, since the other one equals the numerator."""
+        """The two terms that cancel at ε*, because the third term equals the numerator."""
         _plain, rollers, coupling = self.terms
         return rollers + coupling
 
@@ -67,7 +67,7 @@ class RatioForms:
 
 
 def unit_steps(result: Elimination) -> tuple[Step, ...]:
-    """Return the three steps from Ω² to 1729; for one machine they say how far it is from the condition."""
+    """Return the three steps from Ω² to 1729; for one machine they state its distance from the condition."""
     numerator, terms = result.quotient
     of_ratio = [sp.factor(part.subs(m_prime, epsilon * m)) for part in (numerator / k, *(term / m for term in terms))]
     forms = RatioForms(of_ratio[0], tuple(of_ratio[1:]), unit_condition(result.natural_frequency_squared))
@@ -123,7 +123,7 @@ def _unit_step(forms: RatioForms) -> Step:
     left = tuple(equation(side, sp.factor(side.subs(epsilon, RATIO))) for side in sides)
 
     def residual(numbers: Numbers) -> Step:
-        """Return the condition with what its left side leaves for one machine."""
+        """Return the condition with the value of its left side for one machine."""
         reason = _side_of_the_condition(forms.difference_at(numbers))
         return replace(general, reason=reason, equations=left, operations=(insert(epsilon),) * 2, marks=())
 
@@ -131,7 +131,7 @@ def _unit_step(forms: RatioForms) -> Step:
 
 
 def _side_of_the_condition(difference: sp.Expr) -> str:
-    """Return the sentence that says whether a machine is in step with a plain mass, faster or slower."""
+    """Return a sentence that compares a machine with a plain mass: in step, faster or slower."""
     if difference == 0:
         return _("For your $\\varepsilon$ the two terms cancel each other: the machine is in step with a plain mass.")
     if difference > 0:
@@ -177,7 +177,7 @@ def _root_step(forms: RatioForms) -> Step:
 
 
 def _distance_step(general: Step, condition: UnitCondition) -> Step:
-    """Return the step that says, for one machine, how far its mass ratio is from the root."""
+    """Return the step with the distance of one machine's mass ratio from the root."""
     return replace(
         general,
         reason=_(

@@ -18,7 +18,7 @@ omega = sp.Symbol("omega", real=True)
 """Angular frequency of a mode: ω² is an eigenvalue of K relative to M."""
 
 _PHI = 1
-"""Place of φ in the order X, φ, Φ."""
+"""Index of φ in the order X, φ, Φ."""
 _UNIT = sp.ImmutableMatrix([0, 1, 0])
 _M, _K = sp.MatrixSymbol("M", 3, 3), sp.MatrixSymbol("K", 3, 3)
 
@@ -37,7 +37,7 @@ class Modes:
 
     @property
     def natural_frequency_squared(self) -> sp.Expr:
-        """Ω² = K_φφ (M⁻¹)_φφ, the shortcut that rank one allows."""
+        """Ω² = K_φφ (M⁻¹)_φφ, the shortcut for a stiffness matrix of rank one."""
         return sp.factor(self.stiffness_matrix[_PHI, _PHI] * self.inverse_mass_matrix[_PHI, _PHI])
 
 

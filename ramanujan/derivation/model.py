@@ -18,7 +18,7 @@ m, m_prime, k, R = sp.symbols("m m_prime k R", positive=True)
 epsilon, epsilon_star = sp.symbols("varepsilon varepsilon_star", positive=True)
 """ε = m′/m, and ε*, the mass ratio at which Ω² = k/m."""
 Omega_squared, Omega_clamped_squared = sp.symbols("Omega_squared Omega_clamped_squared", positive=True)
-"""Ω² of the machine, and of the machine whose block and top cylinder are held still."""
+"""Ω² of the machine, and of the machine with clamped block and top cylinder."""
 normalized_frequency_squared = sp.Symbol("normalized_frequency_squared", positive=True)
 """Ω²m/k as one quantity, for a step that gives its value."""
 
@@ -46,7 +46,7 @@ class Body:
     name : one of block, hoop, cylinder, slab, top
     mass : m or m′ [kg]
     displacement : of its centre relative to the ground, to the right [m]
-    angle : clockwise rotation θ [rad]; zero for what does not roll
+    angle : clockwise rotation θ [rad]; zero for a body that does not roll
     shape_factor : β, dimensionless
     """
 
@@ -89,7 +89,7 @@ class Machine:
     bodies: tuple[Body, ...]
 
     def __getitem__(self, name: str) -> Body:
-        """Return the body of that name."""
+        """Return the body with this name."""
         return {body.name: body for body in self.bodies}[name]
 
     @property
@@ -158,7 +158,7 @@ def gather(expression: sp.Expr, unknowns: tuple[sp.Expr, ...] = ACCELERATIONS + 
 
 
 def equation(left: sp.Expr | str, right: sp.Expr) -> sp.Eq:
-    """Return left = right unevaluated, so that a true statement is not collapsed to True; text becomes a symbol.
+    """Return left = right unevaluated, so that a true equation does not become True; text becomes a symbol.
 
     >>> equation("v", sp.Integer(2)).lhs
     v

@@ -16,7 +16,7 @@ Thirteen equations for thirteen unknowns: five accelerations, three angular acce
     force     mass·a = Σ contact forces + spring        (positive to the right)           5
     torque    I·α    = Σ ±R·contact force               (positive clockwise)              3
 
-Weights and normal forces are vertical, and their lines of action pass through the axes: they appear in no equation.
+Weights and normal forces are vertical, and their lines of action pass through the axes, so no equation contains them.
 """
 
 from dataclasses import dataclass
@@ -40,7 +40,7 @@ def _in_time(name: str) -> sp.Expr:
 
 @dataclass(frozen=True)
 class Contact:
-    """A contact of a roller with another body, and the friction force there.
+    """A contact of a roller with another body, and its friction force.
 
     Parameters
     ----------
@@ -136,7 +136,7 @@ def spring_forces(bodies: Machine) -> dict[str, sp.Expr]:
 def normal_forces(bodies: Machine, spacing: sp.Expr, g: sp.Expr) -> dict[str, sp.Expr]:
     """Return the normal force at every contact [N], from the balances of vertical forces and, for the slab, of moments.
 
-    The slab is thin; for φ = 0 its middle lies midway between the axes of the rollers.
+    The slab is thin; for φ = 0 its middle is midway between the axes of the rollers.
 
     Parameters
     ----------
@@ -159,10 +159,10 @@ def normal_forces(bodies: Machine, spacing: sp.Expr, g: sp.Expr) -> dict[str, sp
 
 
 def floor_lever(bodies: Machine, g: sp.Expr) -> sp.Expr:
-    """Return how far right of the centre of mass the floor's normal forces act on the block, taken together [m].
+    """Return the distance, to the right, of the floor's resultant normal force from the centre of mass [m].
 
-    The floor has no friction. Counted clockwise about a point of the floor, its torque and the weights' change the
-    angular momentum:
+    The floor has no friction. The clockwise torques of floor and weights about a point of the floor change the angular
+    momentum:
 
         −lever · Σ mg = Σ (m · height · ẍ + I θ̈)
 
@@ -372,7 +372,7 @@ def _force_balance(body: Body, bodies: Machine) -> sp.Eq:
 
 
 def _spring_on(body: Body, bodies: Machine) -> sp.Expr:
-    """Return the spring's force −∂U/∂x_body: against the deformation on the slab, along with it on the block."""
+    """Return the spring's force −∂U/∂x_body: opposite to the deformation on the slab, along it on the block."""
     sign = {"slab": -1, "block": 1}.get(body.name, 0)
     return sign * k * bodies.deformation
 

@@ -1,4 +1,4 @@
-"""The list of symbols of a route: what each one means, its unit, and its positive direction."""
+"""The list of symbols of a route: meaning, unit and positive direction of each symbol."""
 
 import sympy as sp
 from sympy.core.function import AppliedUndef
@@ -61,9 +61,9 @@ DOTS = _("A dot denotes the derivative with respect to time.")
 
 
 def nomenclature(route: Route) -> dict[str, str]:
-    """Return the symbols of a route, LaTeX → meaning: those of the machine, then the others that occur in its steps.
+    """Return the symbols of a route, LaTeX → meaning: first the machine's symbols, then other symbols of its steps.
 
-    The name of a body is written as the word “body”; a meaning is a phrase, Markdown with $…$.
+    The word “body” replaces the name of a body. A meaning is a phrase, Markdown with $…$.
 
     >>> from ramanujan.derivation import ROUTES
     >>> list(nomenclature(ROUTES["energy"]))[:4]
@@ -77,7 +77,7 @@ def nomenclature(route: Route) -> dict[str, str]:
 
 
 def _name(atom: sp.Basic) -> str:
-    """Return a symbol's name, with every body's name replaced by the word body, and the three roots ω by one letter."""
+    """Return a symbol's name, with the word body for each body's name, and one letter for the three roots ω."""
     name = str(atom).removesuffix("(t)")
     letter, _bar, subscript = name.partition("_")
     if subscript in ("block", "hoop", "cylinder", "slab", "top"):

@@ -1,8 +1,8 @@
 """The code that all notebooks share: plain SymPy that starts from the bodies.
 
-The app does not run this code, and it contains no result. Each notebook begins with `BODIES` and goes through the cells
-of its route. `CHECK` then compares its Ω² with the root of det(K − ω²M) = 0. With the numbers of a machine it also
-computes how far that machine is from Ω² = k/m (`DISTANCE`) and its Ω² (`FREQUENCY`).
+The app does not run this code, and the code contains no result. Each notebook consists of `BODIES` and the cells of its
+route. `CHECK` then compares its Ω² with the root of det(K − ω²M) = 0. A notebook with the numbers of a machine also
+computes its distance from Ω² = k/m (`DISTANCE`) and its Ω² (`FREQUENCY`).
 """
 
 from ramanujan.derivation.energies import PARTS

@@ -1,7 +1,7 @@
 """The present masses as exact numbers, for a derivation with numbers.
 
-A float is read as what a person has entered: 0.1 is 1/10, and the float nearest to 5/6 is 5/6. If m′ is the float
-nearest to ε*m, it is read as ε*m = (√1729 − 1)/36 · m itself. That Ω² then equals k/m is computed, not assumed.
+A float is converted to the entered number: 0.1 to 1/10, and the float nearest to 5/6 to 5/6. If m′ is the float nearest
+to ε*m, it is converted to ε*m = (√1729 − 1)/36 · m. The result Ω² = k/m is then computed, not assumed.
 """
 
 from dataclasses import dataclass, fields, replace
@@ -26,14 +26,14 @@ from ramanujan.translation import _
 GIVEN = (m, m_prime, k)
 """The symbols that have a value."""
 _DIGITS_OF_A_FLOAT = 15
-"""So many digits, and more, tell a float from its neighbours."""
+"""The number of significant digits that distinguish a float from its neighbours."""
 _SIMPLE = 10_000
 """The largest denominator of a fraction that a person would enter."""
 
 
 @dataclass(frozen=True)
 class Numbers:
-    """The numbers of one machine as a person has entered them, by the names of their symbols.
+    """The entered numbers of one machine, by the names of their symbols.
 
     Parameters
     ----------
@@ -47,17 +47,17 @@ class Numbers:
 
     @classmethod
     def of(cls, machine: Any) -> "Numbers":
-        """Return the numbers of a machine that has them as attributes, such as an `Oscillator`."""
+        """Return the numbers of an object with these attributes, such as an `Oscillator`."""
         return cls(*(getattr(machine, field.name) for field in fields(cls)))
 
     @property
     def with_equal_masses(self) -> "Numbers":
-        """The same with m′ = m."""
+        """The numbers with m′ = m."""
         return replace(self, m_prime=self.m)
 
     @cached_property
     def exact(self) -> dict[sp.Symbol, sp.Expr]:
-        """The same as exact SymPy numbers: symbol → number.
+        """The exact SymPy numbers: symbol → number.
 
         >>> Numbers(1.85, 5 / 6, 33.5).exact
         {m: 37/20, m_prime: 5/6, k: 67/2}
@@ -68,9 +68,9 @@ class Numbers:
         return read
 
     def put_into(self, expression: sp.Basic) -> sp.Basic:
-        """Return an expression with the numbers instead of m, m′ and k; its sums keep the order of their terms.
+        """Return an expression with the numbers instead of m, m′ and k, and with the same order of terms.
 
-        Each part that is a rational function of m, m′ and k alone becomes one number.
+        Each part that is a rational function of only m, m′ and k becomes one number.
 
         Parameters
         ----------
@@ -90,7 +90,7 @@ class Numbers:
         return expression.func(*map(self.put_into, expression.args))
 
     def terms(self, total: sp.Basic) -> list[tuple[sp.Basic, ...]]:
-        """Return the terms of a sum with the numbers put in; where a number meets a bracket, one becomes several."""
+        """Return the terms of a sum with the numbers inserted, and with brackets after a number multiplied out."""
         if _is_number(total):
             return [(self.value(total),)]
         filled = map(self.put_into, ordered_terms(total))
@@ -102,7 +102,7 @@ class Numbers:
         return found if found.is_Rational else _with_one_root(found)
 
     def _put_into_product(self, expression: sp.Mul) -> sp.Expr:
-        """Return a product with the numbers put in; a number before a sum goes into it, and a denominator with it."""
+        """Return a product with the numbers inserted; a factor or denominator of a sum is multiplied into its terms."""
         numbers, others = sift(expression.args, _is_number, binary=True)
         sums = [factor for factor in others if factor.is_Add]
         if not numbers or not sums:
@@ -115,12 +115,12 @@ class Numbers:
 
 
 def _with_one_root(number: sp.Expr) -> sp.Expr:
-    """Return a number made from fractions and one square root as p + r√n; `radsimp` is thirty times as slow."""
+    """Return a number with fractions and one square root as p + r√n; `radsimp` is thirty times as slow."""
     (root,) = {power for power in number.atoms(sp.Pow) if power.exp == sp.Rational(1, 2)}
     field = _field(root)
 
     def element(part: sp.Expr) -> Any:
-        """Return a part of the number as an element of the field of all p + r√n."""
+        """Return a part of the number as an element of the field of the numbers p + r√n."""
         if part == root:
             return field.unit
         if part.is_Add:
@@ -138,7 +138,7 @@ def _field(root: sp.Pow) -> Any:
 
 
 def _is_number(expression: sp.Basic) -> bool:
-    """Tell whether the expression is a rational function of m, m′ and k alone, not written term by term."""
+    """Return whether the expression is a rational function of only m, m′ and k, and not a sum made by `in_order`."""
     if expression.is_Symbol:
         return expression in GIVEN
     if isinstance(expression, InOrder):
@@ -149,9 +149,9 @@ def _is_number(expression: sp.Basic) -> bool:
 
 
 def stands_for_the_root(mass: float, roller_mass: float) -> bool:
-    """Tell whether m′ is the float nearest to ε*m, or the product of m and the float nearest to ε*.
+    """Return whether m′ is the float nearest to ε*m, or the product of m and the float nearest to ε*.
 
-    These two floats differ by at most two units in the last place. The answer is also yes if m is m′/ε*, rounded.
+    These two floats differ by at most two units in the last place. Also return True if m is m′/ε*, rounded.
 
     Parameters
     ----------
@@ -168,12 +168,12 @@ def stands_for_the_root(mass: float, roller_mass: float) -> bool:
 
 @cache
 def _root() -> Fraction:
-    """Return ε* to fifty digits: no float, and no midpoint of two floats, lies between that number and ε*."""
+    """Return ε* to fifty digits, with no float and no midpoint of two floats between the result and ε*."""
     return Fraction(str(sp.N(unit_frequency_condition().root, 50)))
 
 
 def stated(numbers: Numbers) -> str:
-    """Return the sentence that names the masses and the stiffness of a derivation with numbers; Markdown with $…$.
+    """Return a sentence with the masses and the stiffness of a derivation with numbers, as Markdown with $…$.
 
     >>> print(stated(Numbers(1.85, 0.86, 33.5)))
     The numbers are for $m=1.85\\,\\mathrm{kg}$, $m'=0.86\\,\\mathrm{kg}$ and $k=33.5\\,\\mathrm{N/m}$, in SI units.
@@ -191,7 +191,7 @@ def stated(numbers: Numbers) -> str:
 
 
 def as_typed(value: sp.Expr) -> str:
-    """Return a number of the machine as LaTeX, as a decimal if that has only a few places.
+    """Return a number of the machine as LaTeX, as a decimal if it has few decimal places.
 
     >>> as_typed(sp.Rational(27, 25)), as_typed(sp.Rational(5, 6))
     ('1.08', '\\\\frac{5}{6}')
@@ -202,7 +202,7 @@ def as_typed(value: sp.Expr) -> str:
 
 
 def with_decimal(value: sp.Expr, digits: int = 5) -> str:
-    """Return a number as LaTeX, and its decimal: of some digits, or of as many as tell it from 1.
+    """Return a number as LaTeX, and its decimal with a few digits, or with enough digits to differ from 1.
 
     >>> print(with_decimal(sp.Rational(9, 8)), "and", with_decimal(sp.sqrt(2)))
     \\frac{9}{8} = 1.125 and \\sqrt{2} \\approx 1.4142
@@ -221,14 +221,14 @@ def with_decimal(value: sp.Expr, digits: int = 5) -> str:
 
 @cache
 def unit_frequency_condition() -> UnitCondition:
-    """Return the condition for Ω² = k/m of the machine itself: its quadratic in ε, the root ε*, and 1729."""
+    """Return the machine's condition for Ω² = k/m: the quadratic in ε, its root ε*, and its discriminant 1729."""
     return unit_condition(eliminate(machine()).natural_frequency_squared)
 
 
 def _entered(value: float) -> sp.Rational:
-    """Return the decimal that a person sees or, if it fills a float, the simple fraction that has this float, if any.
+    """Return a float as a decimal; if it uses all digits, return the simple fraction with this float, if one exists.
 
-    There are a million times more floats than simple fractions, so a measured decimal is hardly ever taken for one.
+    Floats outnumber simple fractions by a factor of a million, so a measured decimal hardly ever matches a fraction.
     """
     text = repr(float(value))
     simple = Fraction(value).limit_denominator(_SIMPLE)

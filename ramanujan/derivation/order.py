@@ -1,8 +1,8 @@
 """The order of a formula as in a textbook: one table for the factors of a product and for the terms of a sum.
 
-    factors   number, frequencies, k, masses, sums of masses, R, then whatever moves             −2(m + m′)RẊφ̇
+    factors   number, frequencies, k, masses, sums of masses, R, then functions of time          −2(m + m′)RẊφ̇
     terms     by highest derivative; squares, then products; X before Φ before φ    ½(3m + 2m′)Ẋ² + ¾mR²Φ̇² + …
-    signs     where the first term is negative, the first positive one leads                       4kRφ − 2mẌ
+    signs     if the first term is negative, the first positive term precedes it                   4kRφ − 2mẌ
 
 The printers write every product and every sum in this order, in symbols and with numbers. A sum made by `in_order`
 keeps the order of its terms instead.
@@ -28,13 +28,13 @@ LETTERS = (
 """The letters of symbols, from the first factor of a product to the last."""
 
 SUBSCRIPTS = ("", "prime", "X", "Phi", "varphi", "block", "hoop", "cylinder", "slab", "top")
-"""What follows a letter, from the first to the last: m before m′, the hoop before the cylinder."""
+"""Subscripts and primes of a letter, in order: m before m′, the hoop before the cylinder."""
 
 CONSTANTS = ("k", "m", "M", "I", "R")
 """Letters of constants. A sum is ordered by its other symbols first: motion, frequency or mass ratio."""
 
 DERIVATIVES = {"a": 2, "alpha": 2, "v": 1, "p": 1, "S": -1, "F": -1}
-"""How often a letter counts as differentiated. Friction forces come after the coordinates."""
+"""The order of a letter as a time derivative. Friction forces come after the coordinates."""
 
 Key = tuple[Any, ...]
 _LETTER_RANK = {letter: rank for rank, letter in enumerate(LETTERS)}
@@ -42,7 +42,7 @@ _SUBSCRIPT_RANK = {subscript: rank for rank, subscript in enumerate(SUBSCRIPTS)}
 
 
 class InOrder(sp.Add):
-    """A sum whose like terms are not collected, printed in its order; any calculation makes it a plain sum.
+    """A sum with uncollected like terms, printed in the given order; any calculation makes it a plain sum.
 
     >>> x = sp.Symbol("x")
     >>> print([str(term) for term in ordered_terms(in_order(3 * x, -x))], in_order(3 * x, -x).subs(x, 1))
@@ -54,7 +54,7 @@ class InOrder(sp.Add):
 
 
 def in_order(*terms: sp.Expr) -> InOrder:
-    """Return a sum whose terms stay as they are."""
+    """Return a sum that keeps its terms and their order."""
     return InOrder(*terms, evaluate=False)
 
 
@@ -68,7 +68,7 @@ class Product(NamedTuple):
 
 @lru_cache(maxsize=8192)
 def product(term: sp.Expr) -> Product:
-    """Return a term as a product; a bracket of negative terms becomes positive, and its sign goes to the number.
+    """Return a term as a product; the number contains the minus sign of a bracket of negative terms.
 
     >>> from ramanujan.derivation.model import R, m, m_prime
     >>> product(R**2 * (-m - m_prime) * m / 2)
@@ -97,7 +97,7 @@ def product(term: sp.Expr) -> Product:
 
 @lru_cache(maxsize=8192)
 def ordered_terms(total: sp.Expr) -> tuple[sp.Expr, ...]:
-    """Return the terms of a sum in the order in which they are read.
+    """Return the terms of a sum in the order of the table.
 
     >>> from ramanujan.derivation.model import X, k, phi, t
     >>> ordered_terms(4 * k * phi - 2 * X.diff(t, 2) + phi.diff(t, 2))
@@ -114,17 +114,17 @@ def ordered_terms(total: sp.Expr) -> tuple[sp.Expr, ...]:
 
 
 def is_negative(term: sp.Expr) -> bool:
-    """Tell whether a term has a minus sign."""
+    """Return whether a term has a minus sign."""
     return bool(product(term).number.is_negative)
 
 
 def is_motion(factor: sp.Expr) -> bool:
-    """Tell whether a factor comes after R: coordinates, velocities, forces and brackets with them."""
+    """Return whether a factor comes after R: coordinates, velocities, forces and brackets with them."""
     return _factor_key(factor)[0] > _LETTER_RANK["R"]
 
 
 def is_coefficient(factor: sp.Expr) -> bool:
-    """Tell whether a factor comes before R, such as k and the masses."""
+    """Return whether a factor comes before R, such as k and the masses."""
     return _factor_key(factor)[0] < _LETTER_RANK["R"]
 
 
@@ -142,7 +142,7 @@ def _is_linear_in_the_mass_ratio(total: sp.Add) -> bool:
 
 
 def _term_key(term: sp.Expr) -> Key:
-    """Return the key by which terms are sorted: what varies, from the most differentiated; then the constants."""
+    """Return the sort key of a term: the variables, from the highest derivative; then the constants."""
     _number, above, below = product(term)
     factors = [factor.as_base_exp() for factor in above]
     powers = [(base, int(power) if power.is_Integer else 1) for base, power in factors]
@@ -162,7 +162,7 @@ def _term_key(term: sp.Expr) -> Key:
 
 
 def _factor_key(factor: sp.Expr) -> Key:
-    """Return the key by which factors are sorted; a bracket with motion in it comes after the constants."""
+    """Return the sort key of a factor; a bracket with a function of time comes after the constants."""
     base = factor.as_base_exp()[0]
     if base.is_Add:
         letters = {_name(symbol)[0] for symbol in _symbols(base)}
@@ -175,7 +175,7 @@ def _factor_key(factor: sp.Expr) -> Key:
 
 @lru_cache(maxsize=4096)
 def _times_differentiated(base: sp.Expr) -> int:
-    """Return how often a symbol is differentiated with respect to time; of a bracket, its most differentiated one."""
+    """Return the order of a symbol as a time derivative; for a bracket, the highest order in it."""
     if base.is_Add:
         return max(map(_times_differentiated, _symbols(base)), default=0)
     times = sum(count for _variable, count in base.variable_count) if isinstance(base, sp.Derivative) else 0
@@ -197,7 +197,7 @@ def _symbols(expression: sp.Basic) -> tuple[sp.Basic, ...]:
 
 @lru_cache(maxsize=4096)
 def _name(base: sp.Expr) -> tuple[str, str]:
-    """Return letter and subscript of a symbol, of a function of time, or of what is differentiated."""
+    """Return letter and subscript of a symbol, a function of time, or the argument of a derivative."""
     symbol = base.expr if isinstance(base, sp.Derivative) else base
     letter, _bar, subscript = str(symbol.func if isinstance(symbol, AppliedUndef) else symbol).partition("_")
     return letter, subscript

@@ -1,7 +1,7 @@
-"""One expression, two languages: LaTeX for the eye, JavaScript for the stage.
+"""Print SymPy expressions as LaTeX for people, and as JavaScript for the stage.
 
-Nothing is derived here and nothing is typed: what goes in is a SymPy expression, what comes out says the same. Exact
-numbers (p + r√n)/q have LaTeX and decimals of their own: “=” where a decimal is exact, “≈” where it is rounded.
+The output is equivalent to the expression. Exact numbers (p + r√n)/q are printed as a fraction and as a decimal: “=”
+before an exact decimal, “≈” before a rounded one.
 """
 
 from collections.abc import Mapping, Sequence
@@ -52,14 +52,14 @@ Highlight = tuple[tuple[sp.Basic, str], ...]
 """Symbols, or functions of time, and their colours."""
 
 LONG = 10**7
-"""A denominator from this size on has too many digits to read; the number is then written as a decimal."""
+"""The smallest denominator with too many digits to read; the number is then written as a decimal."""
 
 DIGITS = 8
 """Significant digits of a decimal."""
 
 
 class LatexPrinter(VectorLatexPrinter):
-    """SymPy's printer for mechanics, with words as subscripts set as text, and chosen names in a colour."""
+    """SymPy's printer for mechanics, with upright words in subscripts, and chosen names in a colour."""
 
     def __init__(self, highlight: Mapping[sp.Basic, str]) -> None:
         super().__init__({"symbol_names": _NAMES, "mul_symbol": r"\,"})
@@ -86,7 +86,7 @@ class LatexPrinter(VectorLatexPrinter):
     def _product(self, term: Product) -> str:
         """Return a product as coefficient and motion, such as ¾mR²Φ̇²; the coefficient may be a longer fraction.
 
-        A fraction whose numerator is one sum, or without masses, is not divided: (8m + 7m′)/2 and 2p/(3R).
+        Keep a fraction in one piece if its numerator is one sum or has no masses: (8m + 7m′)/2 and 2p/(3R).
         """
         number = exact(term.number)
         if number is None:
@@ -104,9 +104,9 @@ class LatexPrinter(VectorLatexPrinter):
         return f"- {text}" if sign < 0 else text
 
     def _side_by_side(self, number: str, factors: Sequence[sp.Expr], is_term: bool = False) -> str:
-        """Return the factors behind a number, which is left out where it is 1 or empty.
+        """Return the factors after a number; omit the number if it is 1 or empty.
 
-        A sum is put in brackets, but for one that is alone and no term of another sum.
+        Put a sum in brackets, unless it is the only factor and not a term of another sum.
         """
         numbers = [number] if number not in ("", "1") or (number and not factors) else []
         if len(factors) == 1 and not numbers and not is_term:
@@ -114,7 +114,7 @@ class LatexPrinter(VectorLatexPrinter):
         brackets = (rf"\left({self._print(f)}\right)" if f.is_Add else self._print(f) for f in factors)
         text, *others = (*numbers, *brackets) or ("",)
         for other in others:
-            # Numbers side by side, in an unevaluated product, would read as one number or as a difference.
+            # Adjacent numbers in an unevaluated product would look like one number or a difference.
             factor = rf"\left({other}\right)" if other.startswith("-") else other
             text += (r" \cdot " if other[0].isdigit() else r"\,") + factor
         return text
@@ -131,7 +131,7 @@ class LatexPrinter(VectorLatexPrinter):
 
 
 def _divided(term: Product) -> tuple[tuple[sp.Expr, ...], tuple[sp.Expr, ...]]:
-    """Return the factors that belong to the coefficient of a product, and those that are written behind it."""
+    """Return the factors of a product's coefficient, and the factors after it."""
     coefficient = tuple(filter(is_coefficient, term.above))
     has_symbols = any(factor.free_symbols for factor in term.below)
     if any(map(is_motion, term.below)) or (has_symbols and not coefficient):
@@ -141,15 +141,15 @@ def _divided(term: Product) -> tuple[tuple[sp.Expr, ...], tuple[sp.Expr, ...]]:
 
 @cache
 def _dotted(derivative: sp.Derivative) -> str:
-    """Return q̇ or q̈ in LaTeX; SymPy differentiates again to print it, which is half of the time of a formula."""
+    """Return q̇ or q̈ in LaTeX; SymPy's printer differentiates again, which takes half the time of a formula."""
     return VectorLatexPrinter().doprint(derivative)
 
 
 @lru_cache(maxsize=2048)
 def latex(expression: sp.Basic) -> str:
-    """Return the LaTeX of an expression or relation: primes and dots as physicists write them.
+    """Return the LaTeX of an expression or relation, with the primes and dots of physics.
 
-    A fraction that no eye can read (a denominator of eight digits or more) is written as a decimal that ends in dots.
+    A fraction with a denominator of eight digits or more is written as a decimal that ends in dots.
 
     >>> from ramanujan.derivation.model import X, m_prime
     >>> latex(m_prime * X.diff().diff())
@@ -164,13 +164,13 @@ def joined(texts: Sequence[str]) -> str:
 
 
 def signed(texts: Sequence[str]) -> list[str]:
-    """Return the LaTeX of the terms of a sum, each but the first behind its sign; a zero is left out."""
+    """Return the LaTeX of the nonzero terms of a sum, each term except the first with its sign."""
     first, *others = [text for text in texts if text != "0"] or ["0"]
     return [first, *(f" - {each[1:].lstrip()}" if each[0] == "-" else f" + {each}" for each in others)]
 
 
 def colored(formula: str, color: str | None) -> str:
-    """Return LaTeX in a colour, #rrggbb; without a colour, as it is."""
+    """Return LaTeX in a colour, #rrggbb; without a colour, return it unchanged."""
     return rf"\textcolor{{{color}}}{{{formula}}}" if color else formula
 
 
@@ -186,7 +186,7 @@ def plain_text(expression: sp.Expr) -> str:
 
 
 def javascript(formulas: Mapping[str, Any]) -> str:
-    """Return a JavaScript object literal: each SymPy expression becomes an arrow function of its symbols by name.
+    """Return a JavaScript object literal with an arrow function of named symbols for each SymPy expression.
 
     Parameters
     ----------
@@ -232,7 +232,7 @@ class Number(NamedTuple):
 
     @property
     def numerator(self) -> Decimal:
-        """p + r√n, to 40 digits or more even where the two terms nearly cancel."""
+        """p + r√n, to 40 digits or more even if the two terms nearly cancel."""
         if not self.r:
             return Decimal(self.p)
         context = Context(prec=40 + 2 * len(str(abs(self.p) + abs(self.r))))
@@ -240,7 +240,7 @@ class Number(NamedTuple):
 
 
 def exact(value: sp.Expr) -> Number | None:
-    """Return a SymPy number as (p + r√n)/q, or None if it is no such number.
+    """Return a SymPy number as (p + r√n)/q, or None if this is impossible.
 
     >>> exact((sp.sqrt(1729) - 1) / 36)
     Number(p=-1, q=36, r=1, n=1729)
@@ -261,9 +261,9 @@ def exact(value: sp.Expr) -> Number | None:
 
 
 class Printed(NamedTuple):
-    """A number as LaTeX: its sign (1, 0 or −1), numerator and denominator of its absolute value, the latter "" for 1.
+    """A number as LaTeX: its sign (1, 0 or −1), and numerator and denominator of its absolute value.
 
-    Of a numerator p + r√n, `is_sum` tells whether it needs brackets as a factor.
+    `below` is "" for the denominator 1. `is_sum` is true for a numerator p + r√n, which needs brackets as a factor.
     """
 
     sign: int
@@ -273,13 +273,13 @@ class Printed(NamedTuple):
 
     @property
     def says_all(self) -> bool:
-        """Whether a decimal would add nothing: the number is an integer, or a decimal already."""
+        """Whether the number needs no decimal, because it is an integer or a decimal."""
         return not self.below and (self.above.isdigit() or r"\ldots" in self.above)
 
 
 @lru_cache(maxsize=4096)
 def number_to_latex(number: Number) -> Printed:
-    r"""Return a number as LaTeX: one fraction, no root below it; a long one as a decimal that ends in dots.
+    r"""Return a number as LaTeX: one fraction without a root in the denominator, or for a long one a truncated decimal.
 
     >>> number_to_latex(Number(37, 36, -1, 1729))
     Printed(sign=-1, above='\\sqrt{1729} - 37', below='36', is_sum=True)
@@ -293,14 +293,14 @@ def number_to_latex(number: Number) -> Printed:
     above, p, r = str(p), p // common, r // common
     if r:
         roots = rf"{abs(r)}\,\sqrt{{{number.n}}}" if abs(r) > 1 else rf"\sqrt{{{number.n}}}"
-        # The absolute value is positive, so one of the two terms is, and it comes first.
+        # The absolute value is positive, so one of its two terms is positive. This term comes first.
         above = roots if not p else f"{roots} - {-p}" if p < 0 else f"{p} {'-' if r < 0 else '+'} {roots}"
     above = rf"{common}\,\left({above}\right)" if common > 1 else above
     return Printed(sign, above, str(q) if q > 1 else "", bool(p and r) and common == 1)
 
 
 def truncated(number: Number) -> str:
-    r"""Return a number > 0 as a decimal of eight digits; one that goes on is cut off and ends in dots.
+    r"""Return a number > 0 as a decimal of eight digits; a longer decimal is truncated and ends in dots.
 
     >>> truncated(Number(2, 3))
     '0.66666666\\ldots'
@@ -309,7 +309,7 @@ def truncated(number: Number) -> str:
 
 
 def rounded(number: Number, digits: int = DIGITS) -> str:
-    """Return a number as a decimal rounded to some significant digits, without the zeros at its end.
+    """Return a number as a decimal rounded to some significant digits, without trailing zeros.
 
     >>> rounded(Number(-2, 3), 4)
     '-0.6667'
@@ -318,7 +318,7 @@ def rounded(number: Number, digits: int = DIGITS) -> str:
 
 
 def decimal_of(number: Number, digits: int = DIGITS) -> str:
-    r"""Return, as LaTeX, a number as a decimal behind its sign: ≈ where the decimal is rounded, otherwise =.
+    r"""Return a relation sign and a decimal as LaTeX: ≈ before a rounded decimal, = before an exact one.
 
     >>> decimal_of(Number(196, 25)), decimal_of(Number(-2, 3), 4)
     ('= 7.84', '\\approx -0.6667')
@@ -328,7 +328,7 @@ def decimal_of(number: Number, digits: int = DIGITS) -> str:
 
 
 def _decimal(number: Number, rounding: str, digits: int, goes_on: str = "") -> tuple[str, bool]:
-    """Return a decimal, with a power of ten where there are many zeros and a mark if it goes on, and if it is exact."""
+    """Return a decimal, with a power of ten for many zeros and a mark if it is not exact, and whether it is exact."""
     value = number.numerator
     quotient = Context(prec=digits, rounding=rounding).divide(value, number.q)
     if not quotient:

@@ -1,7 +1,7 @@
-"""Remarks on the paper: the few lines that contain a slip, and what they should say. Its main result is right.
+"""Remarks on the paper: its few lines with a slip, and their corrections. The paper's main result is right.
 
-Each remark carries a check that SymPy computes from the bodies: it is true when the printed line is wrong and the
-corrected one holds. `conserved_momenta` returns the momenta that belong to the two zero modes.
+Each remark has a check that SymPy computes from the bodies. It is true if the printed line is wrong and the corrected
+line is right. `conserved_momenta` returns the momenta of the two zero modes.
 """
 
 from dataclasses import dataclass
@@ -20,14 +20,14 @@ from ramanujan.translation import _
 
 @dataclass(frozen=True)
 class Remark:
-    """A line of the paper and what it should say.
+    """A line of the paper and its correction.
 
     Parameters
     ----------
     where : the place in the paper
-    printed, correct : the line as printed and as it should be, Markdown with $…$
+    printed, correct : the printed line and the corrected line, Markdown with $…$
     note : the reason, in one or two sentences
-    holds : whether SymPy finds that the printed line is wrong and the corrected one holds
+    holds : whether, according to SymPy, the printed line is wrong and the corrected line is right
     """
 
     where: str
@@ -40,8 +40,8 @@ class Remark:
 def conserved_momenta(bodies: Machine | None = None) -> dict[sp.Expr, sp.Expr]:
     """Return p_q = ∂ℒ/∂q̇ for each coordinate q that ℒ does not contain.
 
-    Shifting such a coordinate costs no energy: it is the direction of a zero-frequency mode, and by Noether's theorem
-    its momentum is conserved. Keys are X (the whole machine glides) and Φ (the top cylinder rolls freely).
+    A shift of this coordinate costs no energy: it is the direction of a zero-frequency mode. By Noether's theorem its
+    momentum is conserved. Keys are X (the whole machine glides) and Φ (the top cylinder rolls freely).
     """
     lagrangian = (bodies or machine()).lagrangian
     return {q: lagrangian.diff(q.diff(t)) for q in COORDINATES if lagrangian.diff(q) == 0}
@@ -161,13 +161,13 @@ def _oscillation(spectrum: Modes) -> sp.Expr:
 
 
 def _solves(spectrum: Modes, motion: tuple[sp.Expr, ...]) -> bool:
-    """Tell whether M q̈ + K q = 0 for q = (X, φ, Φ) as functions of time."""
+    """Return whether M q̈ + K q = 0 for q = (X, φ, Φ) as functions of time."""
     q = sp.Matrix(motion)
     return (spectrum.mass_matrix * q.diff(t, 2) + spectrum.stiffness_matrix * q).applyfunc(sp.simplify).is_zero_matrix
 
 
 def _smallest_in_two_ways(*, signed: bool) -> tuple[int, list[tuple[int, int]]]:
-    """Return the smallest positive number with two representations a³ + b³, and these.
+    """Return the smallest positive number with two representations a³ + b³, and both representations.
 
     Up to 1729 the search is complete: (c+1)³ − c³ exceeds it for c > 23, and so does 13³.
     """

@@ -1,6 +1,6 @@
-"""Equations as rows of LaTeX, in symbols or with the numbers of one machine: what both pages and all exports show.
+"""Equations as rows of LaTeX, in symbols or with the numbers of one machine, for the pages and the exports.
 
-A row is its left side, its sign, the terms of its right side, and the decimal of a right side that is a number.
+A row consists of left side, relation sign, terms of the right side, and the decimal of a numeric right side.
 """
 
 import math
@@ -19,13 +19,13 @@ from ramanujan.derivation.printers import Highlight, LatexPrinter, decimal_of, e
 from ramanujan.derivation.steps import Step
 
 Dress = tuple[tuple[int, int, str], ...]
-"""Side and place of terms, each with the command of LaTeX that is put before it."""
+"""Side and place of each marked term, and the LaTeX command before it."""
 
 _UNITS = {
     **dict.fromkeys((Omega_squared, Omega_clamped_squared), r"\,\mathrm{s^{-2}}"),
     **dict.fromkeys((M_e, M_x, M_clamped, M_clamped - M_e), r"\,\mathrm{kg}"),
 }
-"""The unit of a left side whose right side may become a number."""
+"""The unit of each left side whose right side may become a number."""
 
 SIDES = ("left", "right")
 _PLACE = re.compile(r"(left|right) (\d+)")
@@ -33,9 +33,9 @@ _PLACE = re.compile(r"(left|right) (\d+)")
 _MARK = r"\underline"
 _COMMAND = re.compile(r"\\(?!frac|left|right|mathrm|text|mathcal|d?dot)[a-zA-Z]+")
 _SHORT, _SHORTEST = 8, 20
-"""Characters of a left side that take no room from the right one, and of the shortest line of a right side."""
+"""Characters of a left side that leave the full width to the right side, and of its shortest line."""
 _PHONE = 28
-"""Characters of a line that fits on a phone, in letters of 15 px."""
+"""Characters of a line that fits on a phone at a font size of 15 px."""
 _BELOW = r" \\[.15em] &"
 """Begins a line for an operation."""
 _INVISIBLE = re.compile(r"\\textcolor\{#\w+\}|\\[a-zA-Z]+|\\,|[{}^_ ]")
@@ -49,8 +49,8 @@ class Row:
     ----------
     left : its left side
     terms : the terms of its right side, each with its sign
-    value : what follows a right side that is a number: its decimal and its unit, or ""
-    operation : what leads to the equation, for the margin, or ""
+    value : decimal and unit after a right side that is a number, or ""
+    operation : the operation that leads to the equation, for the margin, or ""
     """
 
     left: str
@@ -70,22 +70,22 @@ class Row:
 
     @property
     def unmarked(self) -> Self:
-        """The equation without its operation and the marks of that."""
+        """The equation without its operation and the operation's marks."""
         left, *terms = (part.replace(_MARK, "") for part in (self.left, *self.terms))
         return replace(self, left=left, terms=tuple(terms), operation="")
 
     @property
     def margin(self) -> str:
-        """The operation as LaTeX behind the equation, or ""."""
+        """The operation as LaTeX after the equation, or ""."""
         return rf"\quad\footnotesize\vert\ {self.operation}" if self.operation else ""
 
     def lines(self, width: int, beside: int = 0) -> list[str]:
-        """Return the right side in lines of about so many characters; each but the first begins with a sign.
+        """Return the right side broken into lines of about equal width; each line after the first begins with a sign.
 
         Parameters
         ----------
-        width : of a line whose left side is short
-        beside : characters of the longest left side with which this row is aligned
+        width : characters of a line with a short left side
+        beside : characters of the longest left side in the alignment
         """
         width = max(width - max(beside - _SHORT, 0), _SHORTEST)
         found = [self.terms[0]]
@@ -99,13 +99,13 @@ class Row:
 
 
 def rows(step: Step, numbers: Numbers | None = None, make: Callable[..., Row] | None = None) -> list[Row]:
-    """Return the equations of a step as rows, with the numbers of a machine if they are given, none twice.
+    """Return the equations of a step as rows without duplicates, with the numbers of a machine if given.
 
     Parameters
     ----------
     step : one step of a route, in symbols
     numbers : of the machine; none for the symbols
-    make : equation, its label and dress → a row; `row` by itself
+    make : function of the equation, its label and `dress` that returns a row; `row` by default
 
     >>> from ramanujan.derivation import ROUTES
     >>> from ramanujan.derivation.numbers import Numbers
@@ -114,7 +114,7 @@ def rows(step: Step, numbers: Numbers | None = None, make: Callable[..., Row] | 
     """
     said = step.about(numbers)
     none = [""] * len(said.equations)
-    # An operation that leads to several lines stands at the first of them.
+    # An operation that leads to several equations is shown beside the first one.
     once = ("" if above == each else each for above, each in pairwise(("", *(said.operations or none))))
     found: dict[Row, Row] = {}
     for equation, label, operation, marked in zip(
@@ -137,7 +137,7 @@ def row(
     numbers : of the machine; none for the symbols
     highlight : symbols in a colour
     label : LaTeX before the equation
-    dress : what is done to terms
+    dress : function applied to the terms
     """
     left, right = (
         side_terms(side, numbers, highlight, [each[1:] for each in dress if each[0] == number])
@@ -153,7 +153,7 @@ def side_terms(
     highlight: Highlight = (),
     dress: Sequence[tuple[int, str]] = (),
 ) -> list[str]:
-    """Return the terms of one side as LaTeX, each with its sign; what is done to a term is done to all its parts."""
+    """Return the terms of one side as LaTeX, each with its sign; `dress` is applied to all parts of a term."""
     printer, texts = LatexPrinter(dict(highlight)), []
     parts_of_terms = numbers.terms(side) if numbers else [(term,) for term in ordered_terms(side)]
     for place, parts in enumerate(parts_of_terms):
@@ -169,9 +169,9 @@ def side_terms(
 
 
 def _value(equation: sp.Eq, numbers: Numbers) -> str:
-    """Return the decimal of a right side that is a number, and the unit of the quantity at the left.
+    """Return the decimal of a numeric right side, and the unit of the quantity on the left.
 
-    The mass ratio itself is what was set; its decimal would add nothing.
+    The mass ratio is a setting, so its decimal is omitted.
     """
     value = numbers.put_into(equation.rhs)
     is_computed = equation.rhs.free_symbols and isinstance(value, sp.Expr) and not isinstance(value, InOrder)
@@ -183,22 +183,22 @@ def _value(equation: sp.Eq, numbers: Numbers) -> str:
 
 
 def extent(formula: str) -> int:
-    """Return about how many characters stand side by side."""
+    """Return the approximate width of an expression in characters."""
     return len(_INVISIBLE.sub("", _COMMAND.sub("x", formula)))
 
 
 def aligned(shown: Sequence[Row], width: int, gap: str = ".5em", room: float = math.inf) -> str:
-    """Return rows as one display: aligned at the equals signs or, where some say … = 0, at the left; "" for none.
+    """Return rows as one display: aligned at the left if a row is … = 0, else at the equals signs; "" for none.
 
     Parameters
     ----------
     shown : the rows
     width : characters of a right side that fit into a line
-    gap : room between equations
-    room : characters of an equation behind which its operation still stands; a longer one has it below
+    gap : space between equations
+    room : the largest number of characters of an equation with its operation beside it instead of below
     """
     to_zero, beside = any(each.right == "0" for each in shown), widest(shown)
-    # Behind broken lines a column of operations would be far away.
+    # A column of operations would be far away from broken lines.
     broken = any(len(each.lines(width, beside)) > 1 for each in shown)
     longest = 0 if broken else max((extent(each.right) for each in shown), default=0)
     lines = rf" \\[{gap}] ".join(_marked(each, to_zero, width, beside, longest, room) for each in shown)
@@ -206,12 +206,12 @@ def aligned(shown: Sequence[Row], width: int, gap: str = ".5em", room: float = m
 
 
 def on_a_phone(shown: Sequence[Row]) -> str:
-    """Return rows as one display that is narrow enough for a phone: short lines, each operation below its line."""
+    """Return rows as one display for a phone: short lines, each operation below its line."""
     return aligned(shown, _PHONE, ".8em", room=0)
 
 
 def widest(shown: Iterable[Row]) -> int:
-    """Return about how many characters the longest left side has."""
+    """Return the approximate number of characters of the longest left side."""
     return max((extent(each.left) for each in shown), default=0)
 
 

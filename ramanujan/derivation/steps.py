@@ -1,6 +1,6 @@
-"""The parts of a derivation: steps with a heading, a reason and equations, and the route that they form.
+"""The parts of a derivation: steps with a heading, a reason and equations, and routes of such steps.
 
-An equation is always a SymPy object. Prose may name a symbol, but it never states a result.
+An equation is always a SymPy object. Prose may contain a symbol, but never a result.
 """
 
 from collections import UserDict
@@ -23,16 +23,16 @@ class Step:
 
     Parameters
     ----------
-    key : short name, unique in its route, by which pages and tests find the step
-    heading : what is done
+    key : short name, unique in its route
+    heading : the action of the step, in a few words
     reason : why the step is allowed, in one sentence or a few, Markdown with $…$
     equations : relations that hold for every machine, or state a condition on ε
-    special : numbers → what the step says about one given machine, still in symbols, where its own equations state a
-        condition. None where numbers can be put into the equations themselves.
+    special : function of the numbers of one machine that returns the step for it, in symbols, if the equations state a
+        condition. None if the numbers can be inserted into the equations.
     labels : LaTeX before each equation, such as the coordinate to which it belongs; or none
-    operations : LaTeX in the margin of each equation: what leads to it, in the words of a blackboard; or none
-    marks : the terms of each equation that an operation takes out, brings in or moves, such as "left 2, right 1",
-        counted as they are printed; or none
+    operations : LaTeX in the margin of each equation, for the operation that leads to it; or none
+    marks : the terms of each equation that an operation removes, adds or moves, such as "left 2, right 1", in printed
+        order; or none
     """
 
     key: str
@@ -45,11 +45,11 @@ class Step:
     marks: tuple[str, ...] = ()
 
     def about(self, numbers: Numbers | None) -> "Step":
-        """Return what the step says, still in symbols, about the machine with those numbers, if there are any."""
+        """Return the step, in symbols, for the machine with these numbers; without numbers, return the step."""
         return self.special(numbers) if numbers and self.special else self
 
     def _repr_markdown_(self) -> str:
-        """Show the step in a notebook."""
+        """Return the step as Markdown for a notebook."""
         return "\n\n".join([f"**{self.heading}.** {self.reason}", *(f"$${latex(e)}$$" for e in self.equations)])
 
 
@@ -59,7 +59,7 @@ def step(key: str, heading: str, reason: str, *equations: sp.Eq, **more: Any) ->
 
 
 def blackboard(operation: str, *what: sp.Basic | str) -> str:
-    """Return an operation as LaTeX for the margin; `what`, or LaTeX that says it, fills the slot of that name.
+    """Return an operation as LaTeX for the margin; expressions, or their LaTeX, fill the slot {what}.
 
     >>> print(blackboard("insert {what}", sp.Symbol("x"), "y"))
     \\text{insert $x$, $y$}
@@ -69,7 +69,7 @@ def blackboard(operation: str, *what: sp.Basic | str) -> str:
 
 
 def insert(*what: sp.Basic | str) -> str:
-    """Return the operation that inserts what is known."""
+    """Return the operation that inserts known expressions."""
     # TRANSLATORS: an operation, written beside an equation; {what} is a formula.
     return blackboard(_("insert {what}"), *what)
 
@@ -93,7 +93,7 @@ class Route:
     Parameters
     ----------
     name : the key in `ROUTES`
-    title : what a page calls it
+    title : the title on a page
     steps : the steps in their order
     natural_frequency_squared : the result, an expression in m, m′ and k
     cells : step key → plain SymPy code that repeats the step, for the notebook
@@ -106,11 +106,11 @@ class Route:
     cells: Mapping[str, str] = field(default_factory=dict, repr=False)
 
     def __getitem__(self, key: str) -> Step:
-        """Return the step of that key."""
+        """Return the step with this key."""
         return {step.key: step for step in self.steps}[key]
 
     def _repr_markdown_(self) -> str:
-        """Show the route in a notebook, one numbered section for each step."""
+        """Return the route as Markdown for a notebook, with a numbered section for each step."""
         sections = (f"{n}. {step._repr_markdown_()}" for n, step in enumerate(self.steps, start=1))
         return "\n\n".join([f"### {self.title}", *sections])
 
@@ -119,7 +119,7 @@ class Routes(UserDict[str, Any]):
     """Routes by name, in the order in which they were added; each is derived at its first use, and cached."""
 
     def add(self, name: str) -> Callable[[Callable[[Machine], Route]], Callable[[Machine], Route]]:
-        """Return a decorator that enters a function, which derives a route from the bodies, under a name."""
+        """Return a decorator that registers the function that derives a route from the bodies."""
 
         def enter(build: Callable[[Machine], Route]) -> Callable[[Machine], Route]:
             self.data[name] = cache(build)
@@ -131,10 +131,10 @@ class Routes(UserDict[str, Any]):
         return self.data[name](machine())
 
     def with_equal_masses(self, name: str) -> Route:
-        """Return the route for m′ = m, with which the paper begins."""
+        """Return the route for m′ = m, the first case of the paper."""
         route = self.data[name](machine(roller_mass=m))
         return replace(route, title=_("{route}, equal masses").format(route=route.title))
 
 
 ROUTES = Routes()
-"""The routes of the package; `ramanujan.derivation` imports the files that add theirs."""
+"""The routes of the package, added by the modules that `ramanujan.derivation` imports."""

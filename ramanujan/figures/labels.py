@@ -1,6 +1,6 @@
-"""Names beside the curves that they belong to, where there is most room: no figure needs a legend.
+"""Place the names of curves beside them, where the space is largest, so that no figure needs a legend.
 
-A place holds on a narrow screen and on a projector, whose words are larger. Lengths are in sizes of these words.
+A place must suit a narrow screen and a projector with its larger font. Lengths are in multiples of the font size.
 """
 
 import re
@@ -11,16 +11,17 @@ from typing import Any, NamedTuple
 import numpy as np
 
 _PHONE, _LAPTOP, _LOW = 20, 1.15, 0.5
-"""Width of a panel on a phone; on a laptop, compared with a projector; and its height there, compared with a laptop."""
+"""The width of a panel on a phone, the laptop width relative to the projector, and the projector height relative to the
+laptop."""
 _SIZE, _LETTER, _LINE, _GAP, _FAR, _ON = 15, 0.52, 1.2, 0.2, 2.0, 0.5
-"""Size of the words [px] at a figure's full height; a letter's width, a name's height, its gap to its curve, what is
-far from others, and how much more room a name must have on its curve than beside it to stand there."""
+"""The font size [px] at a figure's full height; the width of a letter, the height of a name, and its gap to its curve;
+the largest distance that counts; and the extra distance that makes a name on its curve better than one beside it."""
 _BAND_HIGH, _BAND_WIDE = 0.4, 0.06
-"""The shares of a name’s height and width that must be clear of a band’s edges: the name itself stands on paper."""
+"""The shares of a name’s height and width that must not overlap a band’s edges, since a name has an outline."""
 _POINTS, _EVERY = 120, 5
-"""Points of a curve that a name must keep clear of; it stands at every so many of them at most."""
+"""The number of points of a curve that a name must not overlap. Every fifth point is a candidate for a name."""
 _SIDES = [*((across, up) for up in (1, -1) for across in (0, -1, 1)), (0, 0)]
-"""Where a name may stand: above or below its curve, to the left, in the middle or to the right; or on the curve."""
+"""The candidate positions: above or below the curve, to the left, in the middle or to the right; or on the curve."""
 
 Named = tuple[str, str, np.ndarray, np.ndarray]
 """Name, colour, and the curve's x and y in the units of the axes: exponents of ten on logarithmic ones."""
@@ -29,10 +30,10 @@ Range = tuple[float, float]
 
 @dataclass(frozen=True)
 class Area:
-    """A panel: curves that bear a name, what its axes show, its height [px], and Plotly's name of its vertical axis.
+    """A panel: curves with names, ranges of its axes, height [px], and Plotly's name of its vertical axis.
 
-    `width` is that on a projector, in sizes of its words. `bands` lie upon one another: name → lower and upper edge at
-    equal steps over the whole of x.
+    `width` is the width on a projector, in font sizes. `bands` are stacked: name → lower and upper edge at equal steps
+    over the range of x.
     """
 
     curves: Sequence[Named]
@@ -45,9 +46,9 @@ class Area:
 
 
 def beside(*areas: Area) -> list[dict[str, Any]]:
-    """Return annotations: a curve's name in each area where nothing touches it, else where it is touched least.
+    """Return annotations: the name of each curve in the area with the least overlap.
 
-    The areas are panels that share their names. Where a band has no room for its name, that is missing.
+    The areas are panels with common names. Skip the name of a band that is too narrow for it.
     """
     found = [each for area in areas for each in _placed(area)]
     most = {words["text"]: -np.inf for _room, words in found}
@@ -57,14 +58,14 @@ def beside(*areas: Area) -> list[dict[str, Any]]:
 
 
 def note(name: str, color: str | None, x: float, y: float, axis: str = "y") -> dict[str, Any]:
-    """Return an annotation, in the figure's own colour if none is given."""
+    """Return an annotation, by default in the figure's colour."""
     font = {"size": 13} | ({"color": color} if color else {})
     words = {"text": name, "font": font, "showarrow": False, "borderpad": 0}
     return words | {"x": float(x), "y": float(y), "xref": "x", "yref": axis}
 
 
 class _Places(NamedTuple):
-    """Where a name may stand: points in shares of the axes, side of each; the name’s middle and room on each screen."""
+    """Candidates for a name: points in shares of the axes, and their sides; its middle and room on each screen."""
 
     half: np.ndarray
     at: np.ndarray
@@ -74,11 +75,11 @@ class _Places(NamedTuple):
 
 
 def _placed(area: Area) -> list[tuple[float, dict[str, Any]]]:
-    """Return of each name the room in its best place, negative where something touches it, and its annotation."""
+    """Return the room of each name in its best place, negative for an overlap, and its annotation."""
     high = area.height / _SIZE
     laptop = _LAPTOP * area.width
     screens = np.array([(min(_PHONE, laptop), high), (laptop, high), (area.width, _LOW * high)])
-    # A method that has failed everywhere has a curve without points.
+    # A method without any finite result has a curve without points.
     curves = [each for each in area.curves if np.isfinite(each[2] + each[3]).any()]
     paths = [_path(x, y, area) for _name, _color, x, y in curves]
     found = [
@@ -92,16 +93,16 @@ def _placed(area: Area) -> list[tuple[float, dict[str, Any]]]:
         found.append((name, {}, _places(low_name, middle, [(0, 0)], edges, screens, _BAND_WIDE)))
     best: dict[int, int] = {}
     rooms: dict[int, float] = {}
-    # Long names first, then all of them once more: now the others have their places.
+    # Place long names first, then place all names again, now relative to the other names.
     for i in sorted(range(len(found)), key=lambda i: -found[i][2].half[0]) * 2:
         half, at, side, middles, room = found[i][2]
         for other in best.keys() - {i}:
             there = found[other][2]
             apart = np.abs(middles - there.middles[:, [best[other]]]) - half - there.half
             room = np.minimum(room, apart.max(axis=2))
-        # A name that something touches on one screen anyway keeps clear on the other.
+        # If an overlap on one screen is unavoidable, prevent an overlap on the other.
         room = np.where(room.min(axis=0) < 0, np.minimum(room, 0).sum(axis=0), room.min(axis=0))
-        # Where it is touched anyway, it must not hide what touches it.
+        # A name with an unavoidable overlap must not hide the other curve.
         on = np.where(room < 0, 4, 1) * _ON * (side[:, 1] == 0)
         best[i] = int(np.argmax(room + 1e-3 * at[:, 0] - on))
         rooms[i] = float(room[best[i]])
@@ -128,7 +129,7 @@ def _places(
     rooms = []
     for screen, middle in zip(screens, middles, strict=True):
         inside = (np.minimum(middle, screen - middle) - half).min(axis=1)
-        # Its own curve may come nearer than the others, or be interrupted by it.
+        # A name may be nearer to its curve than to the others, or interrupt it.
         own = np.where(side[:, 1] == 0, 0.0, _clear(middle, half, path * screen))
         room = np.where(np.minimum(inside, own) < 0, np.minimum(inside, own), _FAR)
         if len(others):
@@ -138,7 +139,7 @@ def _places(
 
 
 def _clear(middles: np.ndarray, half: np.ndarray, points: np.ndarray) -> np.ndarray:
-    """Return how far each name is from the nearest of the points, negative where one lies inside."""
+    """Return the distance of each name from the nearest point, negative if a point is inside the name."""
     (x, y), (to_x, to_y) = middles.T[..., None], points.T
     return np.maximum(np.abs(x - to_x) - half[0], np.abs(y - to_y) - half[1]).min(axis=1)
 

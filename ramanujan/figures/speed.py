@@ -58,7 +58,7 @@ def error_growth(
     """
     hover = _AFTER.format(periods="%{x}", error="%{customdata}") + _NAMED
     tones = {name: look_of(number, colors)[0] for number, name in enumerate(names)}
-    # The chosen one is drawn last, on top.
+    # Draw the chosen method last, above the others.
     ordered = sorted(curves, key=lambda name: name == chosen)
     closed = (_("closed form"), colors["ink"], exact[0], exact[1], {"width": 2, "dash": "dash"}, 1.0)
     ends = np.log10(
@@ -150,7 +150,7 @@ def work_precision(
 
 
 def forms(strips: Mapping[str, Sequence[Part]], *, quantity: str, colors: Colors) -> Drawn:
-    """Draw a strip for each form of Ω²: where it is right and where it fails, with what it returns there.
+    """Draw a strip for each form of Ω², divided into the ranges where the form is right, and where it fails.
 
     Parameters
     ----------
@@ -171,7 +171,7 @@ def forms(strips: Mapping[str, Sequence[Part]], *, quantity: str, colors: Colors
             "color": [colors["primary"] if part.right else colors["ink"] for _row, part in rows],
             "line": {"color": colors["paper"], "width": 2},
         },
-        # In a part too short for letters that can be read, the pointer alone finds the word.
+        # A part that is too short for a legible label has only a hover text.
         "text": [part.word if part.end - part.start > (end - start) / 20 else "" for _row, part in rows],
         "customdata": [part.word for _row, part in rows],
         "textposition": "inside",
@@ -216,12 +216,12 @@ def phase_errors(periods: Sequence[float], curves: Mapping[str, Sequence[float]]
 
 
 def _points(x: Iterable[float], y: Iterable[float]) -> list[list[str]]:
-    """Return both numbers of each point as people write them."""
+    """Return the formatted coordinates of each point."""
     return [list(point) for point in zip(_written(x), _written(y), strict=True)]
 
 
 def _written(values: Iterable[float]) -> list[str]:
-    """Return numbers as people write them. Plotly would write 3.2e-7 in every language."""
+    """Return the formatted numbers. Plotly would write 3.2e-7 in every language."""
     return [number(float(value), 3, strip=True) for value in values]
 
 

@@ -1,4 +1,4 @@
-"""Voting in class: a lecturer asks, students answer, and the distribution stays hidden until the lecturer shows it.
+"""Voting in class: students answer the lecturer's question, and see the distribution when the lecturer shows it.
 
     classes = shared()
     opened = classes.open_class()                   # a public code, and a secret key for the lecturer

@@ -27,7 +27,7 @@ The topics of the bus, where NAME is the name of a stage, CLOCK of a clock, and 
     exact/KEY         {value, text, judged}: the value, text and number of processed inputs of a slider's box
     announce          {sentence, urgent}: a sentence for the page's live region
     turned            the new stop of a lesson
-    slides            {has(by)}: whether the projector has a slide so many slides further
+    slides            {has(by)}: whether the projector has a slide `by` slides after the present one
     sliders           a request to open the drawer with the sliders
 """
 

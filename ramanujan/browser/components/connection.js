@@ -1,5 +1,5 @@
-// Shows a notice while the page has no connection to the server. Streamlit itself only disables its widgets, or covers the page
-// with a box that asks about the internet connection (page.css hides it).
+// Shows a notice while the page has no connection to the server. Streamlit only disables its widgets, or covers the page with
+// a dialog about the internet connection (page.css hides it).
 //
 // The wall of a class reruns twice a second. On a busy server these reruns can stop (streamlit#9921), and nobody is at the wall
 // to reload the page. Therefore a wall without a run for LONGEST ms reloads itself.

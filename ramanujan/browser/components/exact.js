@@ -1,7 +1,7 @@
-// The head of a slider: its symbol, its meaning, and a box that shows the value in full and takes any number or fraction.
-// Only the slider holds the value. The box shows the slider's value, also while the thumb moves. It sends a typed text to the
-// server as one message, and no value of its own. When slider and server agree, the address is written. The topic goal/KEY names
-// a value between the slider's steps. A thumb that comes near snaps to it, and the page sends it as if it were typed.
+// The head of a slider: symbol, meaning, and a box that shows the full value and accepts any number or fraction.
+// Only the slider stores the value. The box shows the slider's value, also during a drag, and sends each typed text to the
+// server. When slider and server agree, the value is written into the address. The topic goal/KEY contains a value between
+// the slider's steps. A thumb near this value snaps to it, and the page sends it like a typed value.
 
 import { bus } from "./bus.js";
 import { DECIMAL } from "./language.js";
@@ -13,7 +13,7 @@ const PAUSE = 400; // ms after the last move until the goal is sent: the slider 
 
 export default function (component, signal) {
   const { data: { key }, parentElement: root } = component, box = root.querySelector("input");
-  let received = {}; // what the server said last: value, text, judged
+  let received = {}; // the last data from the server: value, text, judged
   box.id = root.querySelector("label").htmlFor = "box";
 
   const held = () => dom.held(dom.slider(key), received).replace(".", DECIMAL);
@@ -24,9 +24,9 @@ export default function (component, signal) {
   };
 
   const send = (text) => component.setTriggerValue("typed", text);
-  // In the other languages a point before three digits could separate thousands.
+  // In some languages, a point before three digits would be a thousands separator.
   const sendValue = (text) => send(text.replace(".", DECIMAL));
-  let seen, before, by; // what the slider showed last, what it held, and what moves it since: a "key", or a "thumb" let go
+  let seen, before, by; // the slider's last shown value, its last full value, and the cause of its move: "key" or "thumb"
   const arrived = atRest(PAUSE, () => {
     const slider = dom.slider(key), goal = bus.last(`goal/${key}`);
     by = null;
@@ -42,7 +42,7 @@ export default function (component, signal) {
     const slider = dom.slider(key), goal = bus.last(`goal/${key}`);
     if (!slider || slider.value === seen) return;
     const reach = { thumb: NEAR * dom.perPixel(slider), key: before !== goal && Number(slider.step) };
-    // On a slow page a thumb is drawn at its last place when it has been let go.
+    // On a slow page, the last move of a thumb is drawn after its release.
     const within = reach[dom.isDragged(slider) ? "thumb" : by];
     const near = Boolean(within && goal) && Math.abs(slider.value - goal) <= within;
     settle(slider, near ? goal : null);
@@ -56,7 +56,7 @@ export default function (component, signal) {
       if (!pressed) arrived();
     }, { capture: true, signal });
 
-  // Streamlit draws the slider after its head, and may draw it anew.
+  // Streamlit draws the slider after its head, and may redraw it.
   observe(document.body, { subtree: true, attributeFilter: ["value", "aria-valuetext"] }, () => {
     snap();
     show();

@@ -4,19 +4,19 @@
 
 import { observe } from "./lasting.js";
 
-const left = new WeakMap(); // what the server sent → the slider whose thumb a hand has dragged away from it
-const snapped = new WeakMap(); // slider → the value between its steps to which its thumb has snapped, until the server sends it
+const left = new WeakMap(); // data from the server → the slider whose thumb has been dragged away from its value
+const snapped = new WeakMap(); // slider → the value between two steps to which its thumb has snapped, until the server sends it
 
 const STANDALONE = "standalone" in document.documentElement.dataset;
 const SAVE = ".js-plotly-plot .modebar-group:first-child > .modebar-btn:first-child";
 
 export const dom = {
-  /** The input of the Streamlit slider with this key; its value follows the thumb while that is dragged. */
+  /** The input of the Streamlit slider with this key; its value follows the thumb during a drag. */
   slider: (key) => document.querySelector(`.st-key-${CSS.escape(key)} input[type="range"]`),
 
   /**
-   * Whether a slider shows a value that the server has sent, rounded as its steps are. A missing slider shows nothing. A
-   * thumb that a hand drags away from the value and back shows the step that it will send.
+   * Whether a slider shows the server's value, rounded to a step; false for a missing slider. After a drag away from the
+   * value and back, the thumb is at the step that it will send, so the two values must be equal.
    */
   shows(slider, value, received) {
     if (!slider) return false;
@@ -26,14 +26,14 @@ export const dom = {
     return near && (off < 1e-9 || left.get(received) !== slider);
   },
 
-  /** A slider's value as text: the server's full text, unless the thumb has been moved since. */
+  /** A slider's value as text: the server's full text, or the new value after a move of the thumb. */
   held: (slider, received) =>
     slider && !dom.shows(slider, received.value, received) ? String(dom.value(slider)) : received.text ?? "",
 
-  /** A slider's value: the one to which its thumb has snapped, else that of its step. */
+  /** A slider's value: the value to which its thumb has snapped, or the value of its step. */
   value: (slider) => snapped.get(slider) ?? Number(slider.value),
 
-  /** Let a slider's thumb snap to a value between its steps, or leave it for its step (null). */
+  /** Snap a slider's thumb to a value between its steps, or release it (null). */
   snap(slider, value) {
     snapped.delete(slider);
     if (value === null) return;
@@ -42,8 +42,8 @@ export const dom = {
   },
 
   /**
-   * Show every slider's number as a function writes it, above the thumb and for screen readers, until the signal aborts. React
-   * keeps its own text, which page.css hides where there is another.
+   * Format every slider's number by a function, above the thumb and for screen readers, until the signal aborts. React's
+   * text remains in the page, but page.css hides it if the formatted text exists.
    */
   watchSliderValues(write, signal) {
     const look = () => {
@@ -60,13 +60,13 @@ export const dom = {
     look();
   },
 
-  /** Whether a pointer holds a slider's thumb, and how much of its range a pixel is. */
+  /** Whether a slider's thumb is being dragged; the change of a slider's value per pixel. */
   isDragged: (slider) => Boolean(slider?.closest("[data-dragging]")),
   perPixel: (slider) => (slider.max - slider.min) / slider.closest("[role=group]").clientWidth,
 
   /**
-   * Move a slider's thumb on the page. React hears of it by the event, Streamlit draws the thumb, and sends nothing, since
-   * only the end of a drag or a key stroke makes it send (streamlit#4541).
+   * Move a slider's thumb on the page. The event triggers React's handler, and Streamlit draws the thumb. Streamlit sends
+   * values only after a drag or a key stroke (streamlit#4541).
    */
   moveSlider(input, value) {
     if (!input) return;
@@ -75,19 +75,19 @@ export const dom = {
   },
 
   /**
-   * Let a slider send a value: move it to the step before and on by an arrow key. Return false where it takes nothing, as
-   * while there is no server.
+   * Send a value by a slider: move it to the adjacent step, then to the value by an arrow key. Return false if the slider
+   * is missing or disabled, for example without a server.
    */
   sendSlider(input, value) {
     if (!input || input.disabled) return false;
     const [by, key] = value - input.min < input.step ? [1, "ArrowLeft"] : [-1, "ArrowRight"];
     dom.moveSlider(input, value + by * input.step);
-    // React draws the slider in a microtask of its own, which is queued already.
+    // React draws the slider in a microtask, which is already queued.
     queueMicrotask(() => input.dispatchEvent(new KeyboardEvent("keydown", { key, bubbles: true, cancelable: true })));
     return true;
   },
 
-  /** Mark a value on a slider's track, with a word below it; page.css draws the mark. Return whether there is a slider. */
+  /** Mark a value on a slider's track, with a word below it; page.css draws the mark. Return whether the slider exists. */
   markSlider(key, value, word) {
     const input = dom.slider(key), style = input?.closest(`.st-key-${CSS.escape(key)}`).style;
     style?.setProperty("--mark", (value - input.min) / (input.max - input.min));
@@ -96,8 +96,8 @@ export const dom = {
   },
 
   /**
-   * Write a slider's value into the address, unless it is the default. Streamlit's server always writes a whole address, which
-   * can be older than the slider.
+   * Write a slider's value into the address, unless it is the default. Streamlit's server always writes the complete
+   * address, which can be older than the slider.
    */
   writeAddress(key, value, byDefault) {
     const said = dom.settings().get(key);
@@ -107,7 +107,7 @@ export const dom = {
   /** The settings in the address: after ? in the app, after # in the standalone file. */
   settings: () => new URLSearchParams(STANDALONE ? location.hash.slice(1) : location.search),
 
-  /** Write values into the address: key, value, and the default, which is left out. */
+  /** Write values into the address, given by key, value and default; omit a value that equals its default. */
   keep(entries) {
     const settings = dom.settings();
     for (const [key, value, byDefault] of entries) value === byDefault ? settings.delete(key) : settings.set(key, value);
@@ -135,7 +135,7 @@ export const dom = {
   /** Whether the server runs the page's script. */
   isRunning: () => !document.querySelector("[data-test-script-state=notRunning]"),
 
-  /** Call a listener at the begin and the end of each run of the page's script. */
+  /** Call a listener at the start and the end of each run of the page's script. */
   watchRuns: (listener, signal) =>
     observe(document.querySelector("[data-testid=stApp]"), { attributeFilter: ["data-test-script-state"] }, listener, signal),
 

@@ -65,7 +65,7 @@ export function makePicture(root, { compact, dials, narrow, limits, label }, sig
     put(inMoving, outlines(place, parameters));
     drawRuler(svg, place);
     layers.geometry(place, parameters);
-    // Measure the text with the next layout, because a layout of its own would be slow.
+    // Measure the text with the next layout, because an additional layout would be slow.
     sizes.unobserve(svg);
     sizes.observe(svg);
   }

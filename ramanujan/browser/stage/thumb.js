@@ -1,19 +1,19 @@
-// Reads what a person sets by hand, with a slider of the sidebar or by the slab. Streamlit's sliders own the values; this file
-// stores none. The server's value counts as long as its slider shows it, rounded to a step. If the slider shows another value,
-// a person has moved it, and the server has not answered yet. A drag of the slab moves the slider of x₀ along. When the drag
-// ends, that slider sends its value as after a key stroke, or as soon as the server is back.
+// Reads the settings of the sidebar's sliders and of the slab before the server has received them. Only Streamlit's sliders
+// store values. The server's value is current while its slider shows it, rounded to a step. If the slider shows another value,
+// the visitor has moved it, and the server has not answered yet. A drag of the slab moves the slider of x₀. After the drag,
+// this slider sends its value like after a key stroke, or as soon as the connection to the server is restored.
 
 import { bus } from "../components/bus.js";
 import { dom } from "../components/streamlit_dom.js";
 
 export class Hand {
-  held = null; // m, x₀ as it is drawn while the slab is in a hand, and until its slider has sent it
-  due = null; // m, x₀ that the slider has still to send
+  held = null; // m, x₀ as drawn during a drag of the slab, and until its slider has sent it
+  due = null; // m, x₀ that the slider has not sent yet
   isHolding = false;
   inputs = new Map(); // key of a slider → its input
-  seen = "{}"; // what a hand had set when the picture was drawn last
+  seen = "{}"; // the settings in the last drawn picture
 
-  /** `watch` is the contract's; `received()` the server's parameters. */
+  /** `watch` is part of the stage's payload; `received()` returns the server's parameters. */
   constructor(watch, received) {
     Object.assign(this, { watch, received });
     this.slabKey = Object.keys(watch).find((key) => watch[key].parameter === "compression");
@@ -24,7 +24,7 @@ export class Hand {
     return this.inputs.get(key);
   }
 
-  /** The parameters that a hand has set, by name. */
+  /** The parameters that the visitor has changed, by name. */
   values() {
     const set = {}, received = this.received();
     for (const [key, { parameter, scale }] of Object.entries(this.watch)) {
@@ -36,12 +36,12 @@ export class Hand {
     return set;
   }
 
-  /** x₀ as its box shows it, with all digits. */
+  /** x₀ as in its box, with all digits. */
   text() {
     return dom.held(this.input(this.slabKey), bus.last(`exact/${this.slabKey}`));
   }
 
-  /** Look at the sliders, once a frame; return whether a value has changed. */
+  /** Read the sliders, once a frame; return whether a value has changed. */
   look() {
     if (this.due !== null) {
       if (dom.sendSlider(this.input(this.slabKey), this.due / this.watch[this.slabKey].scale)) this.due = null;
@@ -53,13 +53,13 @@ export class Hand {
 
   // ---- the slab
 
-  /** The nearest x₀ that the slider can have [m]. */
+  /** The nearest x₀ on a step of the slider [m]. */
   rounded(compression) {
     const { scale, step } = this.watch[this.slabKey];
     return Number((Math.round(compression / scale / step) * step * scale).toPrecision(10));
   }
 
-  /** Set x₀ [m]; its slider goes along. `drawn` may lie beyond the bounds, where the slab gives way. */
+  /** Set x₀ [m] and move its slider. `drawn` may be beyond the bounds, where the slab follows the pointer only partly. */
   hold(compression, drawn = compression) {
     this.isHolding = true;
     this.held = drawn;
@@ -72,7 +72,7 @@ export class Hand {
     this.held = this.due = compression;
   }
 
-  /** Give x₀ back as it was. */
+  /** Restore the earlier x₀ [m], without sending it. */
   giveUp(compression) {
     this.hold(compression);
     this.isHolding = false;
