@@ -24,7 +24,7 @@ ORDER = ("translation", "numerals", "shell", "pages/oscillator", "browser", "fig
 
 @cache
 def template() -> Catalog:
-    """Return the English messages in the order in which to translate them."""
+    """Return the English messages in the order of translation."""
     catalogue = Catalog(project="Ramanujan’s oscillator")
     messages = extract_from_dir(PACKAGE, [("**.py", "python")], **OPTIONS)
     for file, line, message, comments, context in sorted(messages, key=lambda each: (_rank(each[0]), *each[:2])):
@@ -48,18 +48,18 @@ def strings(message: Message) -> tuple[str, ...]:
 
 
 def translated(language: str) -> Catalog:
-    """Return the catalogue of a language as its translators left it."""
+    """Return the stored catalogue of a language."""
     with catalogue_file(language).open("rb") as file:
         return read_po(file, locale=language, charset="utf-8")
 
 
 def merged(language: str) -> Catalog:
-    """Return the catalogue of a language with today's English messages."""
+    """Return the catalogue of a language with the current English messages."""
     catalogue = translated(language)
     created = catalogue.creation_date
     catalogue.update(template())
     catalogue.creation_date = created
-    # Obsolete messages without a translation contain nothing to keep.
+    # Remove obsolete messages without a translation.
     catalogue.obsolete = {key: message for key, message in catalogue.obsolete.items() if any(strings(message))}
     for message in catalogue:
         if message.fuzzy and message.id:
@@ -68,7 +68,7 @@ def merged(language: str) -> Catalog:
 
 
 def _keep_only_an_edit(message: Message) -> None:
-    """Remove a fuzzy translation that Babel took from a similar message: it may say something else."""
+    """Remove a fuzzy translation that Babel copied from a similar message, because its meaning may differ."""
     if message.previous_id and any(message.previous_id[0] in texts(each) for each in template()):
         message.string = ("",) * len(strings(message)) if message.pluralizable else ""
         message.flags.discard("fuzzy")
@@ -76,7 +76,7 @@ def _keep_only_an_edit(message: Message) -> None:
 
 
 def update(language: str) -> Catalog:
-    """Bring a catalogue up to date with the English messages, or begin it."""
+    """Update a catalogue with the English messages, or create it."""
     file = catalogue_file(language)
     if not file.exists():
         file.parent.mkdir(parents=True)

@@ -1,4 +1,4 @@
-"""The app as `.deploy/` runs it, on the loopback address: processes by their unit, HAProxy and HTTPS before."""
+"""The app as deployed by `.deploy/`, on the loopback address: the unit's processes behind HAProxy and HTTPS."""
 
 from __future__ import annotations
 
@@ -26,15 +26,15 @@ OTHERS = {"hungarian": 8503, "german": 8504}
 """The processes of other languages → their ports in the recipe."""
 
 COOKIE = "ramanujan="
-"""Begins the cookie in which the proxy stores a visitor's process."""
+"""Prefix of the cookie in which the proxy stores a visitor's process."""
 _PLACE = "/opt/ramanujan"
-"""Where the unit expects the app; here it is this folder, with this Python."""
+"""The app's folder in the unit. The tests replace it by this folder and this Python."""
 _STATE = "/var/lib/ramanujan"
-"""The unit's StateDirectory; here it is a temporary one."""
+"""The unit's StateDirectory. The tests replace it by a temporary one."""
 
 
 class deployed:  # noqa: N801 (reads as a sentence: with deployed(2) as hall)
-    """Run the recipe's processes and its proxy for as long as the block lasts.
+    """Run the recipe's processes and its proxy during the block.
 
     The proxy has two addresses: `address`, and `secure` for HTTPS, with a certificate that nobody has signed. A process
     of another language is started by its name.
@@ -58,7 +58,7 @@ class deployed:  # noqa: N801 (reads as a sentence: with deployed(2) as hall)
             "RAMANUJAN_CERTIFICATE": certificate,
         }
         try:
-            # It finds nobody at first, and takes each process that comes up.
+            # The proxy starts before the processes, and adds each of them when it is up.
             self.proxy = subprocess.Popen(
                 [HAPROXY, "-db", "-f", str(RECIPE / "ramanujan.cfg"), "-f", str(RECIPE / "https.cfg")],
                 env=os.environ | addresses,
@@ -83,7 +83,7 @@ class deployed:  # noqa: N801 (reads as a sentence: with deployed(2) as hall)
         self.state.cleanup()
 
     def wait(self, names: set[str], seconds: float = 90) -> None:
-        """Wait until the proxy sends visitors to each of these processes, as its own cookie says."""
+        """Wait until the proxy's cookies show that visitors reach each of these processes."""
         seen, end = set(), time.monotonic() + seconds
         while seen < names:
             if time.monotonic() > end:
@@ -94,7 +94,7 @@ class deployed:  # noqa: N801 (reads as a sentence: with deployed(2) as hall)
             time.sleep(0.1)
 
     def start(self, name: str) -> None:
-        """Start a process as its unit says."""
+        """Start a process with the command of its unit."""
         unit = ConfigParser(interpolation=None, strict=False)
         unit.optionxform = str
         unit.read(RECIPE / "ramanujan@.service")
@@ -116,7 +116,7 @@ class deployed:  # noqa: N801 (reads as a sentence: with deployed(2) as hall)
         )
 
     def kill(self, name: str) -> None:
-        """End a process without warning."""
+        """Kill a process."""
         self.processes[name].send_signal(signal.SIGKILL)
         self.processes[name].wait()
 

@@ -50,17 +50,17 @@ _TOKEN = re.compile(
     rf"|(?:\\d?dot\{{{_LETTER}\}}|{_LETTER})'?(?:_\{{(?:\\text\{{\w+\}}|\\?[a-zA-Z0-9*]+)\}})?)"
 )
 _SIDE_BY_SIDE = re.compile(r"\d(?:\\,| )+\d")
-"""Two numbers that a reader takes for one."""
+"""Two adjacent numbers, which look like one."""
 MARGIN = re.compile(
     r"(?: &&| \\\\\[\.15em\] &| \\\\\n  &)?\\quad\\footnotesize\\vert\\ .*?(?= \\\\|\\end\{aligned|\n|$)"
 )
-"""What stands behind an equation: the operation that leads to it."""
+"""The operation in the margin of an equation."""
 _UNIT = re.compile(r"\\,\\mathrm\{(?:kg|s\^\{-2\})\}")
 
 
 @lru_cache(maxsize=10_000)
 def formula(text: str) -> Formula:
-    """Return a formula that has been read; many machines share the sides that hold no number."""
+    """Return a parsed formula. The cache helps because many machines share sides without numbers."""
     return Formula(text)
 
 
@@ -89,7 +89,7 @@ class Formula:
         self._python = compile(python, text, "eval")
 
     def cut_off(self, values: Mapping[str, Number]) -> Number:
-        """Return by how much the value may be wrong, since some decimals go on behind their last place."""
+        """Return the largest error of the value due to truncated decimals."""
         numbers, plain, total = list(self._numbers), self.value(values), 0
         for place, unit in self._cut_off.items():
             self._numbers = [*numbers[:place], numbers[place] + unit, *numbers[place + 1 :]]
@@ -123,7 +123,7 @@ def last_place(decimal: str) -> mpmath.mpf:
 
 
 def equations(display: str, newline: str = "") -> list[str]:
-    """Return the equations of one display, the lines of a broken one put together again."""
+    """Return the equations of one display, with the lines of a broken equation joined."""
     inside = MARGIN.sub("", display).removeprefix(r"\begin{aligned}").removesuffix(r"\end{aligned}")
     found: list[str] = []
     for line in inside.split(newline) if newline else re.split(r"\\\\\[[\d.]+em\]", inside):

@@ -1,4 +1,4 @@
-"""Numbers as the pages write them, read back: 0.033, 12 300, −4.6×10¹⁵³, 10⁻⁶. It shares nothing with the package."""
+"""A parser, independent of the package, for numbers on the pages: 0.033, 12 300, −4.6×10¹⁵³, 10⁻⁶."""
 
 import base64
 from typing import Any
@@ -22,7 +22,7 @@ def read(text: str) -> float:
 
 
 def wide_formulas(block: Any) -> list[Any]:
-    """Return what AppTest found of text and formulas, without the formulas that only a phone shows."""
+    """Return AppTest's texts and formulas, without the formulas that only a phone shows."""
     narrow = [
         id(each) for inner in block if (getattr(inner, "key", None) or "").startswith("narrow_") for each in inner.latex
     ]
@@ -30,7 +30,7 @@ def wide_formulas(block: Any) -> list[Any]:
 
 
 def array(given: Any) -> np.ndarray:
-    """Return the values of a figure's array, which it may hold as bytes."""
+    """Return the values of a figure's array, which may be stored as bytes."""
     if isinstance(given, dict):
         return np.frombuffer(base64.b64decode(given["bdata"]), dtype=given["dtype"]).astype(float)
     return np.array(given, dtype=float)

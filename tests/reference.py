@@ -94,13 +94,13 @@ def fraction(unknown: sp.Basic, seed: int = 0) -> sp.Rational:
 
 
 def difference(relation: sp.Eq) -> sp.Expr:
-    """Return left minus right of an equation, worked out."""
+    """Return the left side of an equation minus its right side, with derivatives evaluated."""
     left, right = (side.as_explicit() if isinstance(side, sp.MatrixExpr) else side.doit() for side in relation.args)
     return left - right
 
 
 def spoiled(relation: sp.Eq) -> sp.Eq:
-    """Return an equation with something added on its right."""
+    """Return an equation with an extra term on its right side."""
     right = relation.rhs
     if isinstance(right, sp.Tuple):
         return sp.Eq(relation.lhs, sp.Tuple(*(entry + R for entry in right)), evaluate=False)

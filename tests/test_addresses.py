@@ -1,4 +1,4 @@
-"""No address breaks a page: every key of every page with values that nobody means, old labels, and each option's id."""
+"""No address breaks a page: every key of every page with invalid values, old labels, and each option's id."""
 
 import socket
 from pathlib import Path
@@ -28,14 +28,14 @@ UNMEANT = {
     "no number": "abc",
 }
 DANGEROUS = ("empty", "infinite", "huge", "repeated")
-"""What broke pages once: Streamlit reads an empty value as None, and its number input overflows at an infinite one."""
+"""Values that once broke pages. Streamlit reads an empty value as None, and its number input overflows at infinity."""
 OWN = {page.name: {key.name: key for key in page.url_parameters} for page in PAGES.values()}
 _EVERYWHERE = (parameters, class_keys, display_mode, stages)
 SHARED = {key.name: key for room in _EVERYWHERE for key in room.URL_PARAMETERS if key is not display_mode.SLIDE}
-"""Any short word may be the name of a slide."""
+"""Keys of all pages, without the name of a slide, which can be any short word."""
 DEFAULTS = {name: key.default for keys in (SHARED, *OWN.values()) for name, key in keys.items()}
 OF_A_CLASS = {"class", "lecturer", "wall"}
-"""Keys that mean something only while a class is open (test_scene_classroom)."""
+"""Keys with an effect only while a class is open (test_scene_classroom)."""
 MEANT = {
     "step": "3",
     "modes_paused": "0.25,0.5",
@@ -53,11 +53,11 @@ MEANT = {
     "exercise_key": key_of(7),
     "exercise_name": name_of(7),
 }
-"""A text for each key that is no choice and no slider, and for those that decide what another key is good for."""
+"""A text for each key that is neither a choice nor a slider, and for each key that controls another key."""
 
 
 def meant(key: addresses.URLParameter) -> str:
-    """A text that means something else than the default."""
+    """Return a valid text for a value other than the default."""
     if key.name in MEANT:
         return MEANT[key.name]
     if isinstance(key, parameters.Parameter):
@@ -69,9 +69,9 @@ def meant(key: addresses.URLParameter) -> str:
 
 
 def opened(name: str, address: dict[str, str | list[str]]) -> AppTest:
-    """A page as a new visitor finds it under an address; where the page would measure for long, it has less to do."""
+    """Open a page at an address as a new visitor. Long measurements are shortened."""
     app = AppTest.from_file(str(ROOT / "app.py"), default_timeout=60)
-    # Only after a first run does AppTest know a page whose address is not the name of its file.
+    # AppTest needs a first run before it finds a page whose address differs from its file name.
     if name != "oscillator":
         app.run().switch_page(PAGES[name].file)
     quick = dict(part.split("=") for part in PAGES[name].quick.split("&") if part)
@@ -101,18 +101,18 @@ def test_the_list_of_pages_is_whole():
 @pytest.mark.parametrize("shift", range(0, len(UNMEANT), 6))
 @pytest.mark.parametrize("name", PAGES)
 def test_all_keys_at_once_say_what_nobody_means(name, shift):
-    """Each key by another kind, and each page with two shifts of them."""
+    """Give each key another kind of invalid value, and each page two assignments."""
     keys, kinds = sorted({**OWN[name], **SHARED}), list(UNMEANT)
     app = opened(name, {key: UNMEANT[kinds[(i + shift) % len(kinds)]] for i, key in enumerate(keys)})
     (warning,) = app.warning
     for key in keys:
         assert f" {key} " in warning.value, key
         assert state(app, key) == DEFAULTS[key], key
-        # A slider that a first run has drawn already keeps to its own value, and leaves the address alone.
+        # A slider drawn in the first run keeps its value, and does not change the address.
         assert key not in app.query_params or (name != "oscillator" and key in SHARED)
     assert "1111" not in warning.value
     assert not set("<>\u202e") & set(warning.value)
-    # It is said once.
+    # The warning appears once.
     assert not app.run().warning
 
 
@@ -120,7 +120,7 @@ def test_all_keys_at_once_say_what_nobody_means(name, shift):
     ("name", "half"), [(name, half) for name in PAGES for half in (0, 1) if len(OWN[name].keys() - OF_A_CLASS) > half]
 )
 def test_what_nobody_means_leaves_the_other_keys_alone(name, half):
-    """Every other key is bad, and each of the dangerous ways is among them."""
+    """Every second key has an invalid value, and each dangerous kind occurs."""
     keys = sorted(OWN[name].keys() - OF_A_CLASS)
     bad = {key: UNMEANT[DANGEROUS[i % 4]] for i, key in enumerate(keys[half::2])}
     good = {key: meant(OWN[name][key]) for key in keys[1 - half :: 2]}
@@ -131,7 +131,7 @@ def test_what_nobody_means_leaves_the_other_keys_alone(name, half):
         assert state(app, key) == DEFAULTS[key]
     for key, text in good.items():
         assert f" {key} " not in warning.value
-        # What another key chooses may have no use for it: a task its push, a target its digits.
+        # Another key may make a key unused: a task its push, a target its digits.
         taken = [OWN[name][key].read(text), *([DEFAULTS[key]] if name in ("lesson", "taxicab") else [])]
         assert state(app, key) in taken
 
@@ -148,7 +148,7 @@ def test_an_address_is_taken_and_kept_as_it_is(name):
         value = OWN[name][key].read(text)
         assert state(app, key) == value != DEFAULTS[key], key
     assert {key: app.query_params.get(key) for key in address} == address
-    # Another page does not carry it; a visitor who returns finds everything as it was.
+    # Another page's address does not contain it. After a return, all settings are restored.
     other = "motion" if name != "motion" else "taxicab"
     app.switch_page(PAGES[other].file).run()
     assert not app.warning

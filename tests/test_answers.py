@@ -1,4 +1,4 @@
-"""The judge of a student's formula, through its own door: right in any spelling, mistakes named, never an exception."""
+"""The judge of a student's formula: right answers in any spelling, named mistakes, and no exceptions."""
 
 import os
 import re
@@ -141,7 +141,7 @@ WRONG = [
     (OMEGA, "1.05 k/m", "equal masses"),
     ("block_coupling", "0.923 R", "equal masses"),
     ("top_coupling", "0.615", "equal masses"),
-    # A natural mistake comes before a body taken wrongly that gives the same.
+    # A natural mistake takes precedence over a confused body with the same result.
     ("top_coupling", "2/3", "Apart from a factor R, this is the acceleration of Φ divided by that of X"),
     ("top_coupling", "-4(m+m')/(7m+6m')", "has the wrong sign"),
     ("top_coupling", "R", "is a plain number"),
@@ -248,14 +248,14 @@ def test_only_a_decimal_number_near_its_last_digit_is_called_rounded(name, text)
 
 
 def zero_on_the_right(text: str) -> str:
-    """Return a formula; of an equation its left side minus its right side."""
+    """Return a formula, or the left side of an equation minus its right side."""
     left, equals, right = text.partition("=")
     return f"{left} - ({right})" if equals else text
 
 
 @pytest.mark.parametrize("name", QUESTIONS)
 def test_a_right_answer_to_one_question_is_wrong_for_the_others(name):
-    """Negative control: nothing is right everywhere."""
+    """Negative control: no answer is right for all questions."""
     for other in set(QUESTIONS) - {name}:
         assert judge(other, zero_on_the_right(RIGHT[name][0])).kind == "wrong"
 
@@ -289,7 +289,7 @@ def test_question_accepts_only_its_listed_letters_and_names_them(name):
 
 
 def test_a_question_is_one_entry(monkeypatch):
-    """The README promises it: mistakes and hints about bodies are optional."""
+    """The README states this: mistakes and hints about bodies are optional."""
     new = questions.Question(
         "top_momentum",
         "the momentum of Φ",
@@ -332,7 +332,7 @@ def test_a_tiny_addition_is_not_overlooked(name, size, root):
     "altered", machines.altered_machines()[::7], ids=lambda each: f"{each.mistake.id} {each.group}"
 )
 def test_altered_machines_match_the_route_of_the_page(altered):
-    """SymPy solves the equations of motion of the altered machine; the judge has them solved in numbers."""
+    """Compare SymPy's solution of the altered equations of motion with the judge's numerical one."""
     yours = eliminate(altered.machine)
     for name, formula in (
         (OMEGA, yours.natural_frequency_squared),
@@ -416,11 +416,11 @@ HINTED = {
     "inertia_2/5": "the hoop has the moment of inertia of a solid sphere",
     "left_out": "leave out the top cylinder",
 }
-"""Mistake → the words of its hint that its example has to bear out."""
+"""Mistake → the words of its hint that its example must satisfy."""
 
 
 def gets_its_hint(id: str) -> bool:
-    """Whether the example of a mistake gets its hint, in the words of `HINTED`."""
+    """Return whether the example of a mistake gets its hint, in the words of `HINTED`."""
     examples = [each.example for each in machines.MISTAKES if each.id == id] or [
         (name, slip.example) for name in QUESTIONS for slip in question(name).all_slips() if slip.id == id
     ]
@@ -433,7 +433,7 @@ def test_every_example_gets_its_hint(id):
 
 
 def test_negative_control_false_hints_fail(monkeypatch):
-    """Negative control: a result that the hint does not have, and a hint in other words."""
+    """Negative control: a result that does not fit the hint, and a hint in other words."""
     with monkeypatch.context() as patched:
         false = mistakes.Slip("plain_mass", mistakes.HINTS["plain_mass"], "k/m", (k / (3 * m),))
         patched.setitem(questions._BY_NAME, OMEGA, replace(question(OMEGA), mistakes=lambda _right: [false]))
@@ -452,7 +452,7 @@ def test_mistakes_about_bodies_change_the_machine_and_end_in_a_question():
 
 @pytest.mark.parametrize("name", QUESTIONS)
 def test_each_result_has_one_mistake(name):
-    """Of two slips nobody knows which it was; of two mistakes about bodies neither is named."""
+    """Two mistakes with the same result would be ambiguous, so the judge names neither."""
     it = question(name)
     for known in (it.slips, it.altered):
         for (one, first), (other, second) in combinations(known, 2):
@@ -464,7 +464,7 @@ def test_each_result_has_one_mistake(name):
         assert len(kinds) == 1 or "other moments of inertia" in hint, (hint, kinds)
 
 
-# Whatever is typed
+# Arbitrary input
 
 
 def _judged(name, text):
@@ -472,10 +472,10 @@ def _judged(name, text):
     verdict = judge(name, text)
     with suppress(UnreadableError):
         assert typeset(text)
-    # One second of CPU is the promise, the derivation of the question included.
+    # The limit is one second of processor time, including the derivation of the question.
     assert time.process_time() - started < 1
     assert verdict.kind in {"right", "unsimplified", "wrong", "unreadable"}
-    # A unit, a name, three terms and a question are the longest there is.
+    # The longest message contains a unit, a name, three terms and a question.
     assert 0 < len(verdict.message) < 500
     # Of the typed text, only a name and a single character are shown, in quotation marks.
     unquoted = re.sub("“([A-Za-z_][\\w']*|.)”", "", verdict.message)
@@ -529,7 +529,7 @@ def test_any_formula_gets_a_verdict(name, text):
 
 
 def test_no_hint_is_given_for_a_plain_number():
-    """Negative control: machines that a mistake leaves without oscillation are compared with nothing."""
+    """Negative control: the judge ignores altered machines that do not oscillate."""
     for name in set(QUESTIONS) - {RATIO, "top_coupling", *EQUATIONS}:
         for text in ("1", "√(1)", "√2/√2"):
             assert judge(name, text).message.startswith("Your answer is a plain number, but ")

@@ -50,7 +50,7 @@ class Server:
         self.run("pg_ctl", "--wait", "--silent", "--log", str(self.folder / "log"), "--options", options, "start")
 
     def kill(self) -> None:
-        """End it at once, as a crash does; its clients lose their connections."""
+        """Kill the server, so that its clients lose their connections."""
         self.run("pg_ctl", "--mode", "immediate", "stop")
 
 
@@ -60,7 +60,7 @@ def server(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Server]:
         if os.environ.get("RAMANUJAN_REQUIRE_POSTGRES"):
             pytest.fail("no PostgreSQL on this system, and RAMANUJAN_REQUIRE_POSTGRES is set")
         pytest.skip("no PostgreSQL on this system (on Debian: apt-get install postgresql)")
-    # A user of another name must be able to enter.
+    # The server's user needs access to the folder.
     folder = Path(f"/tmp/ramanujan-postgres-{os.getpid()}")
     folder.mkdir()
     running = Server(folder)

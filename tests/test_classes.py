@@ -36,7 +36,7 @@ from ramanujan.lesson.classes import (
 OPTIONS = ["machine", "plain", "neither"]
 FIRST = Vote()
 NEW_PROCESS = multiprocessing.get_context("forkserver")
-NEW_PROCESS.set_forkserver_preload(["tests.test_classes"])  # what all of them import is imported once
+NEW_PROCESS.set_forkserver_preload(["tests.test_classes"])  # import the common modules once
 
 
 class Clock:
@@ -85,7 +85,7 @@ def no_such_code(code: str) -> str:
 def answer_as(
     place: Path | str, code: str, students: range, votes: multiprocessing.Queue, insists: bool = False
 ) -> None:
-    """Be some students, in a process of their own: join, answer, and change it; who insists tries until it counts."""
+    """Join, answer and change answers as some students, in another process. With `insists`, retry failed attempts."""
     school, chance = classes.Classes(place, Clock()), random.Random(students.start)
 
     def act(what: Callable, *values: object) -> object:
@@ -104,7 +104,7 @@ def answer_as(
 
 
 def answer_until_killed(path: Path, code: str, votes: multiprocessing.connection.Connection) -> None:
-    """Answer once, then begin an answer, hold the file in the middle of it, and never end."""
+    """Answer once, then begin another answer and lock the file without ending."""
     school = classes.Classes(path, Clock())
     first, second = (school.join(code) for _ in range(2))
     school.vote(first, "faster", "neither")
@@ -115,7 +115,7 @@ def answer_until_killed(path: Path, code: str, votes: multiprocessing.connection
 
 
 def told_by(processes: list, votes: multiprocessing.Queue) -> dict[str, str]:
-    """Wait until all processes have ended well, and return which answer each of their voters was last told to count."""
+    """Wait until all processes have succeeded. Return the last confirmed answer of each voter."""
     told = {}
     while any(process.is_alive() for process in processes) or not votes.empty():
         while not votes.empty():
@@ -132,8 +132,8 @@ def test_two_hundred_students_in_several_processes_lose_no_vote_though_one_proce
     victim = NEW_PROCESS.Process(target=answer_until_killed, args=(path, opened.code, theirs))
     victim.start()
     theirs.close()
-    before_death = ours.recv()  # an error if it has died too soon
-    # The victim holds the file now: the others begin while it does, and wait.
+    before_death = ours.recv()  # raises an error if the process has died too early
+    # The victim has locked the file, so the others wait.
     others = [
         NEW_PROCESS.Process(target=answer_as, args=(path, opened.code, range(start, start + 50), votes))
         for start in range(0, 200, 50)
@@ -173,7 +173,7 @@ def test_nobody_sees_the_distribution_before_it_is_revealed(school, opened):
     with pytest.raises(ClassError, match="not been shown"):
         school.changes(opened.code, "faster", "plain")
     assert school.results_for_lecturer(opened.key) == []
-    # What everybody sees is the same for every answer that was given.
+    # The public data do not depend on the answers.
     before = school.question(opened.code)
     school.vote(seat, "faster", "machine")
     assert school.question(opened.code) == before
@@ -182,7 +182,7 @@ def test_nobody_sees_the_distribution_before_it_is_revealed(school, opened):
     school.show(opened.key, Phase.REVEALED)
     assert school.distribution(opened.code, "faster") == {"machine": 1, "plain": 0, "neither": 0}
     school.ask_again(opened.key)
-    # The first vote was seen; the second is not, not even by way of the comparison.
+    # The first vote is public. The second is hidden, also in the comparison.
     assert school.distribution(opened.code, "faster", FIRST) == {"machine": 1, "plain": 0, "neither": 0}
     for refused in (
         lambda: school.distribution(opened.code, "faster", Vote(1, 2)),
@@ -203,7 +203,7 @@ def test_a_first_vote_that_was_never_revealed_is_revealed_with_the_second(school
 
 
 def test_first_and_second_vote_are_compared_student_by_student(school, opened):
-    """Against a count by hand; who answers only once is in one distribution and has not changed."""
+    """Compare with a manual count. A student with one answer is in one distribution, and not in the changes."""
     votes = [
         ("plain", "machine"),
         ("plain", "machine"),
@@ -249,7 +249,7 @@ def test_an_answer_is_changed_until_the_reveal_and_a_late_one_is_refused_with_it
     school.ask(opened.key, "energy", ["spring", "slab"])
     with pytest.raises(ClassError, match="another question"):
         vote(asked=Vote(1, 2))
-    # A stop to which the lecturer returns is as it was left.
+    # A return to a stop restores its state.
     school.ask(opened.key, "faster", OPTIONS)
     assert astuple(school.question(opened.code))[:3] == ("faster", Vote(1, 2), Phase.REVEALED)
     with pytest.raises(ClassError, match="already voted twice"):
@@ -294,7 +294,7 @@ def test_invalid_code_raises_a_sentence(school, text):
 
 
 def test_repeating_a_counted_answer_after_the_reveal_is_accepted(school, opened):
-    """As a browser does that has lost its connection meanwhile; another answer still comes too late."""
+    """A browser may repeat an answer after losing its connection. A different answer is too late."""
     seat, other = school.join(opened.code), school.join(opened.code)
     school.vote(seat, "faster", "plain", FIRST)
     school.show(opened.key, Phase.REVEALED)
@@ -330,12 +330,12 @@ def test_a_network_gets_seats_as_fast_as_a_lecture_hall_takes_them(school, opene
     for number in range(500):
         with pytest.raises(CrowdError, match="joins by itself"):
             school.join(opened.code, f"script {number}", addresses[number % len(addresses)])
-    # A student with a seat stays, and other students need not wait.
+    # A student with a seat keeps it, and other students need not wait.
     assert school.join(opened.code, "phone 0", addresses[0]).voter == "phone 0"
     school.join(opened.code, "another", elsewhere)
     seats = school.seats(opened.key)
     assert (seats.taken, seats.lately) == (NETWORK_SEATS + 1, NETWORK_SEATS + 1)
-    # They came within half a minute, so that half a minute later the first seat is free again.
+    # They joined within half a minute, so the first seat is free half a minute later.
     clock.now += MINUTE / 2 + 0.5
     school.join(opened.code, "script 0", addresses[0])
     with pytest.raises(CrowdError):
@@ -419,7 +419,7 @@ def test_a_voter_who_never_joined_has_no_vote(school, opened):
 
 
 def test_a_browser_is_one_voter_in_each_class_and_another_in_every_other(school, opened):
-    """Three tabs of one phone have one vote; a neighbour's phone has its own."""
+    """Three tabs of one phone share one vote. Another phone has a second vote."""
     other = school.open_class()
     tabs = [school.join(opened.code, voter_of("phone", opened.code.lower())) for _ in range(3)]
     neighbour = school.join(opened.code, voter_of("another phone", opened.code))
@@ -547,7 +547,7 @@ def test_lecturer_gets_a_class_during_a_flood_of_openings(school, opened, clock)
         clock.now += 0.1
         flood.append(school.open_class(address=f"10.0.{number // NETWORK_SEATS}.7"))
     assert left(school)["class"] == CLASSES
-    # The oldest classes without any student have made way, the lecturer's own among them.
+    # The oldest classes without students have been deleted, including the lecturer's.
     assert school.code_of(flood[-1].key)
     for gone in (lecture, flood[0]):
         with pytest.raises(ClassError, match="belongs to no class"):
@@ -600,14 +600,14 @@ def test_a_class_outlasts_an_upgrade_of_the_app(school, opened):
             file.execute(f"ALTER TABLE class DROP COLUMN {column}")
         file.execute("PRAGMA user_version = 0")
     assert chosen(school, seat) == "plain"
-    # The upgraded class may have had students, so it makes way for nobody.
+    # The upgraded class may have had students, so it is not deleted for another class.
     for number in range(CLASSES):
         school.open_class(address=f"10.0.{number // NETWORK_SEATS}.7")
     assert school.code_of(opened.key)
 
 
 def test_a_deleted_or_damaged_file_takes_no_vote(school, opened):
-    """As a cleaner of temporary files or a full disk does: no vote is acknowledged that is not stored."""
+    """Temporary files may be deleted, and a disk may be full. Only stored votes are acknowledged."""
     path, seat = school._store.path, school.join(opened.code)
     for number in range(100):
         school.join(opened.code, f"student {number}", f"10.0.0.{number}")
@@ -639,7 +639,7 @@ def test_the_file_is_where_the_environment_says_and_only_its_owner_reads_it(tmp_
 
 @pytest.mark.skipif(os.name != "posix", reason="other systems name the folder otherwise")
 def test_by_default_the_file_is_in_the_data_folder_of_the_user(tmp_path, monkeypatch):
-    """A folder for temporary files is emptied at a restart, and answers are kept for up to 30 days."""
+    """Answers are stored for up to 30 days, but a restart empties a folder for temporary files."""
     monkeypatch.delenv("RAMANUJAN_CLASSES")
     monkeypatch.setattr("sys.platform", "linux")
     monkeypatch.setenv("HOME", str(tmp_path))

@@ -1,4 +1,4 @@
-"""The recipe under .deploy, started as it is on the loopback address: two processes behind HAProxy, with a browser."""
+"""The recipe in .deploy on the loopback address: two processes behind HAProxy, with a browser."""
 
 import asyncio
 import os
@@ -70,19 +70,19 @@ def test_visitors_are_spread_and_each_keeps_its_process(hall: deployed) -> None:
             break
     assert cookies == {f"{STORE}=first", f"{STORE}=second"}
     for cookie in cookies:
-        # A cookie that still holds is not set again.
+        # A valid cookie is not set again.
         assert all(cookie_of(hall, Cookie=cookie) is None for _ in range(4))
-    # Negative control: one that names no process is replaced.
+    # Negative control: a cookie with an unknown process is replaced.
     assert cookie_of(hall, Cookie=f"{STORE}=third")
 
 
 def test_the_app_knows_a_visitor_by_the_address_that_the_proxy_has_seen(hall: deployed) -> None:
-    """What visitors write of their address counts for nothing: with a hundred addresses they are one network."""
+    """The app ignores addresses in a visitor's headers: a hundred of them count as one network."""
     school = classes.Classes(f"{hall.state.name}/classes.sqlite")
     opened = school.open_class()
 
     async def join(proxied: str, own: str) -> None:
-        """Join as somebody who comes from one loopback address and claims to have another one."""
+        """Join from one loopback address, with another one in the header."""
         async with websockets.connect(
             f"ws{hall.address.removeprefix('http')}/_stcore/stream",
             local_addr=(proxied, 0),
@@ -166,7 +166,7 @@ def test_a_class_votes_across_the_processes_and_one_that_is_killed_costs_nobody_
 
 
 def check_votes(desk: object, phone: object) -> None:
-    """Check a vote of a class whose student comes to another process, by the link that the lecturer copies."""
+    """Check the vote of a student who reaches another process by the lecturer's link."""
 
     def press(name: str) -> None:
         desk.locator(f".st-key-class_{name} button").click()
@@ -193,7 +193,7 @@ def check_votes(desk: object, phone: object) -> None:
 
 
 def check_killed_process(hall: deployed, tab: object, other: object) -> None:
-    """Check that a process that is killed costs its visitors nothing that they set."""
+    """Check that visitors keep all settings when their process is killed."""
     tab.goto(f"{hall.address}/motion?m=2.5&mu=0.4")
     tab.wait_for_selector("[data-testid=stMainBlockContainer] h1")
     settle(tab)
@@ -208,7 +208,7 @@ def check_killed_process(hall: deployed, tab: object, other: object) -> None:
 
     with tab.expect_websocket(timeout=60_000):
         hall.kill("first")
-    # The page is as it was, and the first change finds the new process with all that was set.
+    # The page is unchanged, and the first change restores all settings in the new process.
     settle(tab)
     assert (tab.url, slider(tab).input_value()) == (address, value)
     move(tab, 1)

@@ -51,7 +51,7 @@ def test_routes_and_steps_show_themselves_in_a_notebook():
 
 
 def test_a_new_route_needs_one_file_and_one_line(monkeypatch):
-    """What its file holds is enough for the exports, with and without numbers, for the notebook and the page."""
+    """Its file suffices for the page, the notebook, and the exports with and without numbers."""
 
     def build(_bodies: Machine) -> Route:
         step = Step("only", "Ask the others", "Another route knows.", (equation(Omega_squared, k / m),))
@@ -81,7 +81,7 @@ def test_a_new_route_needs_one_file_and_one_line(monkeypatch):
 
 @pytest.mark.parametrize("name", ROUTES)
 def test_equal_masses_are_put_into_every_line_of_the_same_steps(name):
-    """The general machine is the way: each step has its counterpart, up to the condition on ε, and no line has m′."""
+    """Each step of the general machine has a counterpart, up to the condition on ε. No line contains m′."""
     general, equal = ROUTES[name], ROUTES.with_equal_masses(name)
     ratio = ("ratio", "unit", "root")
     assert [s.key for s in general.steps if s.key not in ratio] == [s.key for s in equal.steps if s.key != "close"]

@@ -12,7 +12,7 @@ import pytest
 import ramanujan
 
 PAGES = ("ramanujan.pages", "ramanujan.shell")
-"""A page runs when it is imported."""
+"""Pages, which run when they are imported."""
 CORE = ("validation", "frequency", "oscillator", "motion", "energy", "contact", "record", "integrators")
 ROOMS = (*CORE, "number_theory", "accuracy")
 """The numeric rooms, in which every public function has an example."""
@@ -22,7 +22,7 @@ MODULES = ["ramanujan", *(name for name in _FOUND if not name.startswith(PAGES))
 
 
 def public():
-    """Every public function and class of the numeric rooms, and the functions that are methods of the classes."""
+    """Yield every public function, class and method of the numeric rooms."""
     for name in MODULES:
         if name.split(".")[1:2] and name.split(".")[1] in ROOMS:
             module = importlib.import_module(name)
@@ -54,6 +54,6 @@ def test_a_public_name_says_what_it_takes_and_gives(value):
     annotations = [*(p.annotation for p in signature.parameters.values()), signature.return_annotation]
     assert inspect.Signature.empty not in annotations
     assert not any(re.search(r"\bAny\b", str(annotation)) for annotation in annotations)
-    # A long docstring has its sections; a short one says all in its first lines.
+    # A long docstring has sections. A short one describes the result in its first lines.
     if "Parameters\n" in text:
         assert re.search(r"^Returns\n-------$", text, re.MULTILINE)

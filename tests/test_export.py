@@ -76,7 +76,7 @@ def test_latex_is_a_whole_document_in_ascii(name, numbers):
 @pytest.mark.parametrize("numbers", [False, True])
 @pytest.mark.parametrize("name", ROUTES)
 def test_slides_hold_the_whole_route_and_no_frame_is_overfull(name, numbers):
-    """Where there is no TeX: environments, braces, labels, and lines on a frame are counted."""
+    """Without TeX, count environments, braces, labels, and the lines on a frame."""
     route = ROUTES[name]
     document = to_beamer(route, values_if(numbers), PICTURE)
     assert document.isascii()
@@ -88,7 +88,7 @@ def test_slides_hold_the_whole_route_and_no_frame_is_overfull(name, numbers):
     assert [label for label in labels if "-" not in label] == ["title", "machine", *(step.key for step in route.steps)]
     assert all(len(re.findall(r"\\\\\n", text)) < 9 for _, text in frames)
     assert PICTURE in document
-    # One step alone has its own frames, and the machine.
+    # The slides of a single step contain its frames and the machine.
     alone = to_beamer(route, values_if(numbers), PICTURE, 2)
     wanted = [label for label in labels if label.partition("-")[0] in ("title", "machine", route.steps[1].key)]
     assert re.findall(r"\[label=(.*?)\]", alone) == wanted
@@ -134,9 +134,9 @@ OFF_THE_STEPS, IN_STEP = MACHINES = Numbers(1.2345678, 0.86, 33.5), Numbers(1.0,
 
 @pytest.fixture(scope="module")
 def kernel():
-    """One Python kernel for all notebooks; each finds it without a name in it."""
+    """One Python kernel for all notebooks. Each notebook starts with an empty namespace."""
     pytest.importorskip("ipykernel", reason="a notebook needs a Python kernel to run")
-    from jupyter_client import KernelManager  # here: it takes a second, and one worker alone runs notebooks
+    from jupyter_client import KernelManager  # slow import, needed only by one worker
 
     manager = KernelManager(kernel_name="python3")
     manager.start_kernel()
@@ -145,7 +145,7 @@ def kernel():
 
 
 def executed(text: str, kernel: object) -> object:
-    """Run a notebook, as it was handed out, after a cell that empties the kernel."""
+    """Run a downloaded notebook after a cell that empties the kernel."""
     import nbformat
     from nbclient import NotebookClient
 

@@ -1,4 +1,4 @@
-"""The app in its languages: nothing that a page, a stop or a task sends is English, and decimals have their mark."""
+"""The app in its languages: pages, stops and tasks send no English text, and use the decimal mark."""
 
 import json
 import os
@@ -13,7 +13,7 @@ from tests.browser import ROOT
 from tests.catalogue import strings, template, texts, translated
 
 ENGLISH = re.compile(r"\b(the|of|and|with|are|this|from|to|not|has|it|which)\b", re.IGNORECASE)
-"""Words that every English sentence has, and no sentence in another language."""
+"""Words of English sentences that do not occur in other languages."""
 POINT = re.compile(r"(?<![\w./×-])\d+\.\d+(?![\w./])")
 PLACES = [(name, {}) for name in PAGES] + [
     *(("lesson", {"stop": stop.id, "chosen": f"{stop.id}.{stop.right}"}) for stop in lesson.STOPS),
@@ -29,7 +29,7 @@ print(json.dumps([sent(opened(name, address)) for name, address in json.loads(sy
 
 
 def told(language: str) -> set[str]:
-    """Return all strings of the messages that an app in this language sends."""
+    """Return all strings in the messages of an app in this language."""
     command = [sys.executable, "-c", SENT, json.dumps(PLACES)]
     environment = os.environ | {"RAMANUJAN_LANGUAGE": language}
     done = subprocess.run(command, cwd=ROOT, env=environment, capture_output=True, text=True, timeout=300, check=True)
@@ -49,7 +49,7 @@ def inside(value: object) -> set[str]:
 
 
 def test_nothing_that_is_sent_is_english():
-    """One language is enough: what never reaches gettext is English in all; test_words checks the catalogues."""
+    """One language suffices: a text without gettext is English in all. test_words checks the catalogues."""
     language = COMPLETE[0]
     messages = [each for each in translated(language) if each.id]
     english = {text for each in messages for text in texts(each)} - {
@@ -59,7 +59,7 @@ def test_nothing_that_is_sent_is_english():
     # Keys of values are words without a capital; an array's bytes have no spaces.
     labels = {text for text in found & english if not text.islower() or " " in text}
     assert sorted({text for text in found if " " in text and ENGLISH.search(text)} | labels) == []
-    # A number alone is for a program.
+    # A text that is only a number is for a program.
     assert sorted(text for text in found if POINT.search(text) and not text.replace(".", "").isdecimal()) == []
     assert sum(bool(re.search(r"\d,\d", text)) for text in found) > 30
 

@@ -20,7 +20,7 @@ M, K, R = 1.0, 10.0, 0.1
 
 
 def matrices(m=M, m_prime=1.0, k=K, radius=R, top=0.5):
-    """M and K of the Lagrangian, with a top body of shape factor `top`; the machine is in README."""
+    """Return M and K of the Lagrangian, with a top body of shape factor `top`. README describes the machine."""
     mass = [
         [3 * m + 2 * m_prime, -2 * (m + m_prime) * radius, -m * radius],
         [-2 * (m + m_prime) * radius, (4 * m + 3.5 * m_prime) * radius**2, 0],
@@ -40,7 +40,7 @@ def normalized(**machine) -> float:
 
 @cache
 def history(x0=0.08):
-    """The motion of the released machine with equal masses, by the exponential of its matrix; its turning point."""
+    """Return the motion of the released machine with equal masses, by a matrix exponential, and its turning point."""
     mass, stiffness = map(np.array, matrices())
     rates = np.block([[np.zeros((3, 3)), np.eye(3)], [-np.linalg.solve(mass, stiffness), np.zeros((3, 3))]])
     start = [0, x0 / (2 * R), 0, 0, 0, 0]
@@ -48,7 +48,7 @@ def history(x0=0.08):
 
 
 def kinetic(y) -> dict[str, float]:
-    """The kinetic energy of each body, from velocities relative to the ground."""
+    """Return the kinetic energy of each body, from velocities relative to the ground."""
     X, phi, Phi = y[3:]
     v = {"block": -X, "hoop": R * phi - X, "slab": 2 * R * phi - X, "top": R * Phi - X}
     spin = {"hoop": 0.5 * (R * phi) ** 2, "top": 0.25 * (R * Phi) ** 2}
@@ -60,7 +60,7 @@ def lead(**machine) -> float:
 
 
 def root(**machine) -> mpmath.mpf:
-    """ε for Ω² = k/m, from det(K − M) = 0 with m = k = R = 1, in 40 digits."""
+    """Return ε for Ω² = k/m, from det(K − M) = 0 with m = k = R = 1, to 40 digits."""
 
     def condition(ratio):
         mass, stiffness = matrices(1, ratio, 1, 1, **machine)
@@ -86,7 +86,7 @@ def is_a_fraction(ratio: mpmath.mpf) -> bool:
 
 
 def friction() -> dict[str, float]:
-    """Static friction needed with ε = 1 and a slab midway between axes 29 cm apart."""
+    """Return the required static friction for ε = 1 and a slab midway between axes 29 cm apart."""
     D, u, tilt = 18 + 49 + 32, K * 0.04 / 9.81, 0.08 / 0.29
     return {
         "hoop_slab": 16 * 7 / D * u / (1 - tilt),
@@ -98,7 +98,7 @@ def friction() -> dict[str, float]:
 
 
 def run_energies(periods=20) -> tuple[float, float]:
-    """Energy over initial energy after explicit Euler with 1000 and velocity Verlet with 10 steps a period."""
+    """Return the energy ratios after explicit Euler with 1000 and velocity Verlet with 10 steps per period."""
     growth = 1 + (2 * math.pi / 1000) ** 2
     h = 2 * math.pi / 10
     kick, drift = np.array([[1, 0], [-h / 2, 1]]), np.array([[1, h], [0, 1]])
@@ -113,7 +113,7 @@ def paper_formula(m, m_prime, k):
 
 
 def expected() -> dict[str, str]:
-    """The right option of every stop, worked out without the package."""
+    """Return the right option of every stop, computed without the package."""
     motion, turn = history()
     later = motion(1.5 * turn)  # the slab moves right, through the middle
     assert later[4] > 0
@@ -136,7 +136,7 @@ def expected() -> dict[str, str]:
         "heavy-rollers": "plain" if lead(m_prime=5.0) < 0 else "?",
         "stiffness": "same" if math.isclose(normalized(k=40.0), normalized(), rel_tol=1e-9) else "?",
         "radius": "same" if math.isclose(eigenvalues(radius=0.2)[-1], eigenvalues()[-1], rel_tol=1e-9) else "?",
-        "block": "opposite" if later[3] > 0 else "?",  # X counts to the left
+        "block": "opposite" if later[3] > 0 else "?",  # X is positive to the left
         "rollers": "tenth" if moved < 0.1 * 0.08 else "?",
         "turning-point": "spring" if math.isclose(spring, K * 0.08**2 / 2, rel_tol=1e-6) else "?",
         "middle": max(middle, key=middle.get),
@@ -222,7 +222,7 @@ def test_the_explanations_quote_the_right_numbers():
     with mpmath.workdps(30):
         huge = mpmath.mpf(8) * 6 * mpmath.mpf(10) ** 200 / (18 * mpmath.mpf(10) ** 400)
     assert mpmath.nstr(huge * mpmath.mpf(10) ** 200, 3) in said("huge-ratio")
-    # Its machine is drawn with heavy rollers, says its masses, and does not move.
+    # Its machine has heavy rollers, shows its masses, and does not move.
     [run] = lesson.stop("huge-ratio").runs
     assert "10²⁰⁰ kg" in run.label
     assert run.machine.period > 1e40
@@ -242,7 +242,7 @@ def test_every_wrong_option_has_a_reply_that_ends_in_a_question():
         replies = {option: stop.reply(option) for option in stop.options if option != right}
         assert all(reply.endswith("?") for reply in replies.values())
         assert len(set(replies.values())) == len(replies)
-        # It leads on; it does not say which option is right.
+        # The reply asks a further question and does not reveal the right option.
         assert not any(stop.options[right].rstrip(".") in reply for reply in replies.values())
 
 
@@ -310,7 +310,7 @@ def matching(options, pattern, wanted):
 
 @pytest.mark.parametrize("strategy", STRATEGIES)
 def test_options_do_not_reveal_the_right_one(strategy):
-    """A student who goes by the looks of the options, choosing by lot among equals, scores as by chance."""
+    """A strategy based on the form of the options, with random choice among equals, scores as by chance."""
 
     answers = {stop.id: stop.answer() for stop in lesson.STOPS}
 
@@ -320,7 +320,7 @@ def test_options_do_not_reveal_the_right_one(strategy):
 
     chance = sum(1 / len(stop.options) for stop in lesson.STOPS)
     assert sum(right(list(stop.options.items()), stop) for stop in lesson.STOPS) <= chance + 2
-    # On paper the options are drawn.
+    # The paper shows the options as drawings.
     draw = random.Random(1)
     scores = [
         sum(right(draw.sample(list(stop.options.items()), len(stop.options)), stop) for stop in lesson.STOPS)
@@ -365,7 +365,7 @@ MISSED = {
     "cheapest": [attempt(method="rk4", steps=13), attempt(method="yoshida6", steps=10), attempt(steps=192)],
     "two-cubes": [attempt(bodies=("cylinder", "hoop", "cylinder")), attempt(bodies=("hoop", "hoop", "hoop"))],
 }
-"""Nearly done; as a page opens, no task is (test_scene_lesson.py)."""
+"""Attempts that nearly solve a task. test_scene_lesson.py checks that new pages show no solved task."""
 
 
 @pytest.mark.parametrize("name", [task.id for task in lesson.TASKS])
@@ -403,7 +403,7 @@ DIRECTIONS = {r"\bapart\b": 1, r"\b(towards|together|meet)\b": -1}
 
 
 def test_slab_and_block_move_in_the_direction_that_every_sentence_says():
-    """Until the spring is relaxed; by the exponential of the machine's matrix, for light and for heavy rollers."""
+    """Compute the motion until the spring is relaxed by a matrix exponential, for light and heavy rollers."""
     motion, turn = history()
     changes = []
     for part in (0.1, 0.3, 0.49):
@@ -434,7 +434,7 @@ def test_the_bodies_of_the_task_move_as_far_as_its_verdict_says():
 
 
 def test_the_short_lesson_states_the_equation_before_its_root():
-    """A class that goes through the short lesson has not seen the stop that solves the equation."""
+    """The short lesson does not contain the stop that solves the equation."""
     texts = [(stop.question, stop.exhibit) for stop in lesson.STOPS if stop.short]
     [(question, exhibit)] = [each for each in texts if "√1729" in each[0]]
     a, b, c = re.search(r"(\d+)ε² \+ (\d*)ε − (\d+) = 0", question.replace("\xa0", " ")).groups()

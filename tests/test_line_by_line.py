@@ -33,12 +33,12 @@ Lines = Callable[[str], list[sp.Eq]]
 
 
 def known(group: list[sp.Eq]) -> dict[sp.Basic, sp.Basic]:
-    """Return left sides and right sides, to be inserted."""
+    """Return left side → right side, for substitutions."""
     return {relation.lhs: relation.rhs for relation in group}
 
 
 def same_zero(one: sp.Eq, other: sp.Eq) -> sp.Expr:
-    """Return what vanishes if two equations differ by a factor without the motion."""
+    """Return an expression that vanishes if two equations differ by a factor independent of the motion."""
     ratio = sp.cancel(difference(one) / difference(other))
     return ratio.diff(X_ddot) + ratio.diff(phi_ddot) + ratio.diff(Phi_ddot) + ratio.diff(phi)
 
@@ -138,7 +138,7 @@ STEPS = {
 
 
 def lines(masses: str, key: str = "", place: int = 0) -> Lines:
-    """Return what gives the equations of a step as they are displayed; that of a place is spoiled."""
+    """Return a function for the displayed equations of a step, with the equation at a place spoiled."""
     route = ROUTES["euler_lagrange"] if masses == "any" else ROUTES.with_equal_masses("euler_lagrange")
     return lambda step: [spoiled(e) if (step, n) == (key, place) else e for n, e in enumerate(route[step].equations)]
 
@@ -159,7 +159,7 @@ FACTORS = {
 }
 """Route, step and place of a line whose operation names a factor → step and place of the line that it changes.
 
-M_clamped is only a name there: no line has its value.
+M_clamped is only a name in the routes. No line contains its value.
 """
 NAMED = re.compile(r"\\(times|div) ((?!M_{\\text).+)|\\text\{cancel \$(?!8)(.+)\$\}")
 

@@ -1,4 +1,4 @@
-"""One colour for each body, everywhere, and readable: the theme, the stage's style sheet and the figures agree."""
+"""One readable colour for each body: the theme, the stage's style sheet and the figures agree."""
 
 import re
 import warnings
@@ -20,12 +20,12 @@ STYLE = (ROOT / "ramanujan" / "browser" / "stage" / "stage.css").read_text()
 
 
 def rgb(color: str) -> tuple[int, int, int]:
-    """Red, green and blue, from 0 to 255, of a colour such as #1D2430."""
+    """Return red, green and blue, from 0 to 255, of a colour such as #1D2430."""
     return tuple(int(color[i : i + 2], 16) for i in (1, 3, 5))
 
 
 def luminance(color: str) -> float:
-    """WCAG 2.2, relative luminance."""
+    """Return the relative luminance of WCAG 2.2."""
     parts = [part / 255 for part in rgb(color)]
     linear = [part / 12.92 if part <= 0.04045 else ((part + 0.055) / 1.055) ** 2.4 for part in parts]
     return 0.2126 * linear[0] + 0.7152 * linear[1] + 0.0722 * linear[2]
@@ -50,8 +50,8 @@ EYES = {
 
 
 def differences(colors: list[str], model: str, deficiency: simulate.Deficiency | None) -> list[float]:
-    """CIEDE2000 between every two colours, as an eye without one kind of cone sees them."""
-    with warnings.catch_warnings():  # about parts of the library that plot
+    """Return CIEDE2000 of each pair of colours, for an eye without one kind of cone."""
+    with warnings.catch_warnings():  # warnings about the library's plotting functions
         warnings.simplefilter("ignore")
         import colour
     image = np.array([[rgb(color) for color in colors]], dtype=np.uint8)

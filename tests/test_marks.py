@@ -1,4 +1,4 @@
-"""The terms that a step underlines are those that its operation takes out, brings in or moves to the other side.
+"""A step underlines exactly the terms that its operation removes, adds or moves to the other side.
 
 A line comes from the one above it or from one of an earlier step. SymPy proves this: the sum of the changed terms is
 zero, perhaps after a definition of the step is inserted, or it is a multiple of another line.
@@ -19,7 +19,7 @@ from ramanujan.derivation.rows import SIDES
 
 _CONSTANTS = {*GIVEN, R}
 _FEW = 2
-"""Terms that an operation changes. A change of more terms concerns the whole line, and nothing is marked."""
+"""Largest number of marked terms. A change of more terms concerns the whole line, so it has no marks."""
 
 Equations = Sequence[sp.Eq]
 Places = frozenset[tuple[int, int]]
@@ -53,7 +53,7 @@ def changes(steps: Sequence[Equations]) -> list[list[Places]]:
 
 
 def _changed(source: sp.Eq, line: sp.Eq, step: Equations, known: Equations) -> tuple[Places, Places] | None:
-    """Return which terms of the source change and which of the line, or None if the line does not come from it."""
+    """Return the changed terms of the source and of the line, or None if the line has another source."""
     old, new = _terms(source), _terms(line)
     factor = _factor(source, line)
     times = (lambda term, factor: term) if factor == 1 else (lambda term, factor: sp.factor(factor * term))
@@ -96,7 +96,7 @@ def _ratio(one: sp.Expr, other: sp.Expr) -> sp.Expr | None:
 
 @cache
 def _terms(equation: sp.Eq) -> dict[tuple[int, int], sp.Expr]:
-    """Return the terms by their places, those of the right side with the sign that they get on the left."""
+    """Return place → term. Terms of the right side have their sign on the left side."""
     is_scalar = all(isinstance(side, sp.Expr) and not side.is_Matrix for side in equation.args)
     sides = zip((1, -1), equation.args if is_scalar else (), strict=False)
     return {

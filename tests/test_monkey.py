@@ -1,6 +1,6 @@
-"""A monkey at the app: seeded random pages, widgets, links and answers; nothing it does may end in an error.
+"""Random tests of the app: seeded pages, widgets, links and answers. No action may cause an error.
 
-RAMANUJAN_MONKEY sets how many actions it takes (5,000 for a thorough run), RAMANUJAN_SEED its seed.
+RAMANUJAN_MONKEY sets the number of actions (5,000 for a thorough run), RAMANUJAN_SEED its seed.
 """
 
 import logging
@@ -43,7 +43,7 @@ def actions(app: AppTest, chance: random.Random) -> list[Action]:
     found.append((f"link {key}={str(text)[:20]!r}", link))
     kinds = {
         "slider": lambda w: w.set_value(round(chance.uniform(w.min, w.max), chance.choice([1, 2, 9]))),
-        # To measure over more than ten periods takes long.
+        # A measurement over more than ten periods is slow.
         "select_slider": lambda w: w.set_value(chance.choice(w.options[: 3 if w.key == "periods" else None])),
         "text_input": lambda w: w.set_value(chance.choice(ANSWERS if "answer" in (w.key or "") else TEXTS)),
         "number_input": lambda w: w.set_value(chance.randint(int(w.min), int(w.max))),

@@ -29,7 +29,7 @@ from tests.latex import MARGIN, Formula, Number, equations, formula, last_place,
 INKS = tuple((part, "#123456") for part in (*PARTS, "cube"))
 
 COUNT = 60 if os.environ.get("RAMANUJAN_DEEP") else 10
-"""How many machines go through all equations."""
+"""Number of machines for which all equations are tested."""
 
 ROOT = (mpmath.sqrt(1729) - 1) / 36
 Masses = tuple[float, float, float]
@@ -37,7 +37,7 @@ Masses = tuple[float, float, float]
 
 @cache
 def machines() -> list[Masses]:
-    """Return sixty machines, of each kind one among the first ten: typed decimals, fractions, ε*, equal, corners."""
+    """Return sixty machines: decimals, fractions, ε*, equal masses, corners. The first ten include each kind."""
     source = random.Random(1729)
     on_steps = [
         (source.randint(10, 100) / 20, source.randint(1, 1000) / 100, source.randint(2, 400) / 2) for _ in range(9)
@@ -67,12 +67,12 @@ def of_bodies(letter: str, of: dict[str, mpmath.mpf]) -> dict[str, mpmath.mpf]:
 
 @cache
 def motion(mass: mpmath.mpf, roller: mpmath.mpf, stiffness: mpmath.mpf, in_mode: bool) -> dict[str, Number]:
-    """Return all that a formula may name, at a moment of a motion: name in LaTeX → value.
+    """Return the values of all symbols at a moment of a motion: name in LaTeX → value.
 
     Parameters
     ----------
     mass, roller, stiffness : m, m′ [kg], k [N/m]
-    in_mode : whether all of the motion is in the oscillating mode; if not, the machine also glides and rolls
+    in_mode : whether the motion is purely in the oscillating mode; otherwise the machine also glides and rolls
     """
     source = random.Random(f"{mass}{roller}")
     R, *state = (mpmath.mpf(source.randint(1, 999)) / source.randint(1, 99) for _ in range(7))
@@ -174,7 +174,7 @@ def holds(line: str, known: dict[str, Number]) -> bool:
 
 @pytest.fixture(autouse=True)
 def hundred_digits() -> Iterator[None]:
-    """Compute with 100 digits, whatever another file's tests have set."""
+    """Set the precision to 100 digits, because tests in other files may change it."""
     with mpmath.workdps(100):
         yield
 
@@ -207,7 +207,7 @@ def of_route(name: str, equal_masses: bool, numbers: Numbers | None) -> Iterator
 
 
 def displayed(given: Masses | None) -> Iterator[tuple[str, str, bool, str]]:
-    """Yield every equation that is shown: its route, its step, whether it is about equal masses, and its LaTeX.
+    """Yield every displayed equation: its route, its step, whether the masses are equal, and its LaTeX.
 
     Parameters
     ----------
@@ -233,7 +233,7 @@ def displayed(given: Masses | None) -> Iterator[tuple[str, str, bool, str]]:
 
 
 def plain(display: str) -> str:
-    """Return a display without its colours."""
+    """Return the LaTeX of a display without colours."""
     text = display
     while (start := text.find(r"\textcolor{")) >= 0:
         begin = place = text.index("}{", start) + 2
@@ -252,14 +252,14 @@ def test_every_equation_that_is_shown_is_true(given):
     for *where, line in lines:
         assert any(holds(line, known) for known in motions(*where, given or (1.7, 0.9, 12.3))), (where, line)
         left, right, *_ = sides(line)
-        # A determinant of numbers is worked out; any other equation is about something.
+        # Only the equation of a determinant may contain no symbol.
         assert Formula(left).names + Formula(right).names or left.startswith(r"\left|"), (where, line)
 
 
 def test_the_numbers_of_another_machine_are_noticed_in_every_step_that_has_any():
-    """The negative control."""
+    """Negative control for the test above."""
     silent = {("euler_lagrange", "velocities"), ("newton", "rolling"), ("newton", "accelerations")}
-    # These contain no mass, K has the same zero modes whatever k is, and Ω²m/k is one number for equal masses.
+    # These contain no mass. The zero modes do not depend on k, and equal masses fix Ω²m/k.
     silent |= {("matrix", "zero_modes"), ("euler_lagrange", "close")}
     shown, other = list(displayed((1.85, 0.86, 33.5))), (1.86, 0.87, 33.6)
     noticed = {
@@ -326,7 +326,7 @@ def test_every_symbol_of_a_route_is_in_its_list(name):
             for shown_row in rows(step, Numbers(*masses) if masses else None):
                 for side in sides(shown_row.latex)[:2]:
                     for symbol in Formula(side).names:
-                        # Of a momentum, a mass matrix or a body’s quantity, the list has the letter.
+                        # The list contains only the letter of a momentum, a mass matrix or a body’s quantity.
                         plain = re.sub(r"\\d?dot\{(\\?\w+)\}", r"\1", symbol.removesuffix("^{-1}"))
                         plain = re.sub(r"\\text\{(block|hoop|cylinder|slab|top)\}", r"\\text{body}", plain)
                         plain = re.sub(r"\\omega_\{\d\}", r"\\omega", plain)

@@ -38,7 +38,7 @@ UNITS = {each: 1 for each in (model.m, model.k, model.R)} | {model.m_prime: mode
 
 @cache
 def derived_frequency() -> sp.Expr:
-    """Ω²m/k of a machine with these bodies, by rolling constraints, energies and Lagrange's equations."""
+    """Return Ω²m/k of a machine with these bodies, by rolling constraints and Lagrange's equations."""
     bodies = model.machine(**dict(zip(("hoop", "cylinder", "top"), BETAS, strict=True)))
     return eliminate(bodies).natural_frequency_squared.xreplace(UNITS)
 
@@ -159,7 +159,7 @@ def test_one_change_away():
 
 
 def test_discriminants_of_ordinary_targets_can_be_factored():
-    """The promise in `BodyChoice`: parts up to 1000 suffice; large primes leave the least to cancel."""
+    """Check the limit in `BodyChoice`: parts up to 1000. Large primes leave the fewest common factors."""
     for target in (Fraction(997, 991), Fraction(1, 997), Fraction(991, 997), Fraction(1663, 998), Fraction(999, 1000)):
         for machine in family(target):
             assert math.prod(p**e for p, e in machine.factorization) == machine.discriminant
@@ -277,7 +277,7 @@ def test_convergents_of_the_papers_ratio_are_the_best_machines_to_build():
 
 
 def kinds(value: object) -> set[type]:
-    """The type of a value and of all that it contains."""
+    """Yield the types of a value and of its contents."""
     return {type(value)}.union(*map(kinds, value)) if isinstance(value, list | tuple) else {type(value)}
 
 
@@ -297,7 +297,7 @@ def test_integers_of_numpy_and_sympy_give_python_s_own(integer):
     [nt.factorization, nt.squarefree_part, nt.field_discriminant, nt.sums_of_two_cubes, nt.represent_x2_plus_3y2],
 )
 def test_numbers_beyond_the_bound_are_refused(function):
-    # Values of another kind are refused too: test_validation.py gives them to every function.
+    # test_validation.py passes values of other types to every function.
     for bad in (0, -1, 10**12 + 1):
         with pytest.raises(ValueError, match=r"^n must be an integer from 1 to 10¹²$"):
             function(bad)
@@ -329,7 +329,7 @@ def test_two_lower_rollers_without_rotational_inertia_are_refused():
 
 
 def test_largest_permitted_inputs_have_a_discriminant():
-    """Parts up to 10⁶ lead to coefficients that the other functions still take."""
+    """Parts up to 10⁶ lead to coefficients that the other functions accept."""
     betas = (Fraction(999_983, 10**6), Fraction(999_979, 999_999), Fraction(999_961, 999_998))
     quadratic = nt.unit_quadratic(*betas, Fraction(999_953, 999_997))
     assert nt.discriminant(*quadratic) > 10**24  # the primes above leave no common factor to cancel

@@ -1,4 +1,4 @@
-"""Numbers as people read them: the same text from Python and from the page's own script, and the way back."""
+"""Numbers as texts: Python and the page's script agree, in both directions."""
 
 import json
 import math
@@ -16,7 +16,7 @@ from ramanujan.browser import modules
 from tests.reading import read
 
 NODE = Path(playwright.__file__).parent / "driver/node"
-"""Playwright brings the JavaScript engine that it runs on."""
+"""The JavaScript engine that Playwright contains."""
 
 source = random.Random(1729)
 VALUES = [

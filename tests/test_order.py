@@ -1,4 +1,4 @@
-"""Formulas have the order of a textbook: the paper's own in its equations, and one rule for all other lines."""
+"""Formulas have a textbook's order: the paper's order in its equations, and one rule for all other lines."""
 
 import re
 import unicodedata
@@ -20,7 +20,7 @@ FRACTIONS = {"[1/2]": "½", "[3/4]": "¾", "[1/4]": "¼"}
 
 
 def read(text: str) -> str:
-    """Return LaTeX as one reads it, a longer fraction in square brackets: ½(3m + 2m′)Ẋ² + [8k/99m]X."""
+    """Return LaTeX as plain text, with longer fractions in square brackets: ½(3m + 2m′)Ẋ² + [8k/99m]X."""
     for mark, plain in (LETTERS | SIGNS).items():
         text = text.replace(mark, plain)
     text = re.sub(r"\\text\{(\w+)\}", r"\1", text)
@@ -36,7 +36,7 @@ def read(text: str) -> str:
 
 
 def lines(route: Route, key: str, numbers: Numbers | None = None) -> list[str]:
-    """Return the lines of a step as one reads them."""
+    """Return the lines of a step as plain text."""
     return [read(row.unmarked.latex.rpartition(r":\ ")[2]) for row in rows(route[key], numbers)]
 
 
@@ -63,9 +63,9 @@ PAPER = {
     ("11b", "any", "elimination", 4): "Φ̈ = [4(m + m′)/7m + 6m′]φ̈",
     ("12", "any", "insertion", 2): "φ̈ + [8k/8m + 7m′ − [24(m + m′)²/7m + 6m′]]φ = 0",
 }
-"""Number, masses, step and line → the equation in the order in which the paper prints it.
+"""Number, masses, step and line → the equation in the paper's order.
 
-The paper writes both m + m′ and m′ + m, and both ẊΦ̇ and φ̇Ẋ: here m comes before m′, and X before φ. The angle of the
+The paper writes both m + m′ and m′ + m, and both ẊΦ̇ and φ̇Ẋ. The list puts m before m′, and X before φ. The angle of the
 top cylinder, ϕ in the paper, is Φ. Moments of inertia and the spring's compression are inserted into (1).
 """
 
@@ -99,7 +99,7 @@ TEXTBOOK = {
     ("energy", "spring_mass", 0): "M_x = [3/8]m′ + [m(8m + 7m′)/2(7m + 6m′)]",
     ("matrix", "determinant", 1): "¼ω⁴mR⁴(8k(7m + 6m′) − ω²(32m² + 49mm′ + 18m′²)) = 0",
 }
-"""Route, step and line → the line as a textbook prints it."""
+"""Route, step and line → the line in a textbook's order."""
 
 NUMBERS = {
     ("euler_lagrange", "lagrangian", 0): "ℒ = [7/2]Ẋ² + ¾R²Φ̇² + [11/2]R²φ̇² − RẊΦ̇ − 6RẊφ̇ − [123/5]R²φ²",
@@ -107,7 +107,7 @@ NUMBERS = {
     ("hamilton", "inversion", 3): "p_φ + [18/19]Rp_X + [12/19]p_Φ = [101/19]R²φ̇",
     ("matrix", "determinant", 1): "ω⁴R⁴([2337/5] − [101/2]ω²) = 0",
 }
-"""The same with the numbers of a machine."""
+"""Lines as in the table above, with the numbers of a machine."""
 
 
 @pytest.mark.parametrize(
@@ -136,7 +136,7 @@ def test_a_number_alone_and_a_bracket_behind_a_sign_keep_their_sign():
 
 
 def test_a_term_keeps_its_place_on_the_lines_of_a_step():
-    """The order of the unknowns on one line is that on the next, wherever both contain them."""
+    """Unknowns have the same order on adjacent lines that contain them."""
     for name, key, few in (
         ("euler_lagrange", "elimination", slice(1, 3)),
         ("euler_lagrange", "insertion", slice(4)),

@@ -1,4 +1,4 @@
-"""The paper’s equations, typed here as printed, against the steps that .github/paper.md names."""
+"""The paper’s equations, as printed, compared with the steps in .github/paper.md."""
 
 import re
 from pathlib import Path
@@ -69,7 +69,7 @@ PAPER = {
     "14": sp.Eq(epsilon, (sp.sqrt(1729) - 1) / 36),
     "15": sp.Eq((36 * epsilon + 1) ** 2, 1729),
 }  # fmt: skip
-"""Number → equation, with R, m and the motion as they are; Λ_qℒ is written out."""
+"""Number → equation, with R, m and the motion as symbols, and Λ_qℒ written out."""
 
 PLACES = (Path(__file__).parent.parent / ".github" / "paper.md").read_text(encoding="utf-8")
 TABLE = re.findall(r"^\| \(([\w, ]+)\) \| (any|equal) \| (\d+) \| (.*) \| `(\w+)` \|$", PLACES, re.MULTILINE)

@@ -62,7 +62,7 @@ def value(text: str) -> sp.Expr:
         ("dX/dt dphi/dt dΦ/dt", Xd * phid * Phid),
         ("(dφ/dt)²", phid**2),
         ("Xdot phidot dPhi", Xd * phid * Phid),
-        # A space after a number or a bracket says how far the denominator reaches.
+        # A space after a number or a bracket ends the denominator.
         ("m/12 ((3R Phi' - 3X')^2 + k)", m / 12 * ((3 * R * Phid - 3 * Xd) ** 2 + k)),
         ("k/(2m) R", k * R / (2 * m)),
         ("1/2m", m / 2),
@@ -171,7 +171,7 @@ _NAMES = re.compile("|".join([*sorted(POINT, key=len, reverse=True), r"\d+"]))
 
 
 def computed(text: str) -> Fraction:
-    """What Python itself makes of a formula at `POINT`."""
+    """Return Python's value of a formula at `POINT`."""
     plain = _NAMES.sub(lambda found: f"Fraction({POINT.get(found[0], found[0])})", text)
     return eval(plain.replace("^", "**").replace("·", "*"))
 
@@ -186,7 +186,7 @@ def test_value_is_the_one_python_computes(text: str) -> None:
         assume(False)
     parsed, refusal = _outcome(text)
     if parsed is None:
-        # The only refusals a well-formed text can meet.
+        # The only possible errors for a well-formed text.
         assert any(word in refusal for word in ("large", "nested"))
         return
     assert value(text) == expected

@@ -1,4 +1,4 @@
-"""The marginal notes: every claim is computed, and the corrected lines are the right ones."""
+"""The marginal notes: every claim is computed, and the corrected lines are right."""
 
 import pytest
 import sympy as sp

@@ -1,4 +1,4 @@
-"""Ways to write the right answer: SymPy regroups it, prints it as text and as LaTeX; none may be called wrong."""
+"""Spellings of the right answer, as text and as LaTeX, regrouped by SymPy. The judge must reject none."""
 
 import os
 import random
@@ -38,7 +38,7 @@ SIGNS = {
 
 
 def rewritten(expression: sp.Expr, source: random.Random) -> sp.Expr:
-    """An equal expression, put together otherwise."""
+    """Return an equal expression in another form."""
     common = source.choice([m, mp, R, k, sp.Integer(5), sp.Rational(1, 4), m * R])
     ways = [
         sp.expand,
@@ -70,7 +70,7 @@ def some_form(name: str, source: random.Random) -> sp.Expr:
 
 
 def spelled(expression: sp.Expr, source: random.Random) -> str:
-    """SymPy's text in one of many spellings."""
+    """Return SymPy's text in a random spelling."""
     names = {str(symbol): SPELLINGS.get(name, [name]) for symbol, name in TYPED.items()}
     choices = names | SIGNS
     part = re.compile("|".join([r"\^2(?!\d)", r"/[24](?!\d)", *sorted(names, key=len, reverse=True), "sqrt", r"[-+*]"]))
@@ -78,7 +78,7 @@ def spelled(expression: sp.Expr, source: random.Random) -> str:
 
 
 def as_latex(expression: sp.Expr) -> str:
-    """The LaTeX that the app's own printer writes."""
+    """Return the LaTeX of the app's printer."""
     return latex(expression.xreplace({symbol: SYMBOLS[name] for symbol, name in TYPED.items()}))
 
 
@@ -91,7 +91,7 @@ def test_right_answer_is_accepted_in_any_form_and_spelling(name):
         text = as_latex(expression) if source.random() < 0.3 else spelled(expression, source)
         verdict = judge(name, text)
         if verdict.kind == "unreadable":
-            # Some texts are longer than a formula may be; nothing else is refused.
+            # The only permitted error is about a text that is too long.
             assert "too long" in verdict.message or "too large" in verdict.message, (text, verdict.message)
             refused += 1
             continue

@@ -122,7 +122,7 @@ def test_every_page_of_the_list_is_warmed_up_also_one_that_is_no_package(tmp_pat
 
 
 def test_no_page_is_imported_by_the_shell_or_by_another_page(graph):
-    """The shell knows pages by their list; what two pages share is in shell/sections."""
+    """The shell uses a list of pages. Code shared by two pages is in shell/sections."""
     wrong = []
     for module in graph.modules:
         room, _, page = module.removeprefix("ramanujan.").partition(".")

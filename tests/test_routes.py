@@ -1,4 +1,4 @@
-"""All routes, one Ω², for other bodies too."""
+"""All routes lead to the same Ω², also for other bodies."""
 
 import pytest
 import sympy as sp

@@ -40,14 +40,14 @@ TYPE, VALUE = (f"{{urn:oasis:names:tc:opendocument:xmlns:office:1.0}}{name}" for
 
 
 def made(language: str) -> tuple[str, str]:
-    """Return the file of a motion and that of a class, as a server in this language offers them."""
+    """Return the files of a motion and of a class, from a server in this language."""
     environment = os.environ | {"RAMANUJAN_LANGUAGE": language}
     done = subprocess.run([sys.executable, "-c", FILES], cwd=ROOT, env=environment, capture_output=True, check=True)
     return json.loads(done.stdout)
 
 
 def cells(file: Path) -> list[ET.Element]:
-    """Return the cells of a document in rows that have a content; equal neighbours are stored once."""
+    """Return the cells in the non-empty rows of a document. Equal neighbours are stored once."""
     found = []
     for row in ET.parse(file).iter(ROW):
         filled = [cell for cell in row.iter(CELL) if cell.get(TYPE)]
