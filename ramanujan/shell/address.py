@@ -1,10 +1,10 @@
 """The parameters of the app's URLs, which are validated before any widget is drawn.
 
 A page declares its own parameters as `URL_PARAMETERS`; `parameters` declares those of every page. `read_once` reads the
-address when a page is opened. It copies valid values to the session state, where widgets read them, and removes invalid
-values with a message for each. `keep` writes the values of widgets into the address. An option is written as its id.
+address when a page is opened. It copies valid values to the session state, where widgets read them. It removes invalid
+values, with a message for each. `keep` writes the values of widgets into the address. An option is written as its id.
 
-Streamlit itself binds only the sliders of real numbers to the address, so that a drag does not wait for the server.
+Streamlit binds only the sliders of real numbers to the address, so that a drag does not wait for the server.
 Other bindings of Streamlit would write labels, and raise an error for an empty or infinite value.
 """
 

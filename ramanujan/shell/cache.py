@@ -1,7 +1,7 @@
 """Caches that several pages share. The caches of a single page are in its own cache.py.
 
 All expensive results are cached, all caches are bounded, and their keys are plain numbers. Modules that only one page
-uses are imported in the cache.py of this page, so that the first page loads fast.
+uses are imported in its cache.py, so that the first page loads fast.
 """
 
 import sys
@@ -49,5 +49,5 @@ def route(name: str, equal_masses: bool = False) -> Route:
 def symbols(name: str, **more: str) -> list[str]:
     """Return a line of Markdown for each symbol of a route and each symbol in `more`, with its meaning."""
     entries = (nomenclature(route(name)) | more).items()
-    # Markdown would parse a square bracket before a round one as a link.
+    # Markdown would parse a square bracket before a round bracket as a link.
     return [f"${symbol}$: {meaning}".replace("[", "\\[").replace("]", "\\]") for symbol, meaning in entries]

@@ -1,7 +1,7 @@
 """The role of this session in a class: lecturer with a key, student with a seat, wall, or none.
 
 The role is stored in the session state, and after a reload it is read from the address (`class_keys`). A student is
-identified by a random cookie of the browser (`browser_cookie`), so that several tabs of one phone have one vote. In a
+identified by a random cookie of the browser (`browser_cookie`), so that all tabs of a phone share one vote. In a
 frame of another site, `browser/frame.js` writes a random name into the address instead.
 
 The wall also follows the sliders of the lecturer's desk.
@@ -144,8 +144,8 @@ def forgets_seat() -> bool:
 def network() -> str:
     """Return the visitor’s IP address.
 
-    It is that of the connection. If the connection comes from a proxy that Uvicorn trusts (FORWARDED_ALLOW_IPS, by
-    default the same computer), it is the last address in X-Forwarded-For, which the proxy itself writes. Otherwise the
+    It is that of the connection. Uvicorn trusts certain proxies (FORWARDED_ALLOW_IPS, by default the same computer).
+    For their connections it is the last address in X-Forwarded-For, which the proxy itself writes. Otherwise the
     header is ignored, because a visitor can write anything into it.
     """
     return st.context.ip_address or _HERE

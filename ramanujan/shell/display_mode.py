@@ -1,6 +1,6 @@
 """Display options: the projector view with one slide at a time, and the parts that a lecturer's link hides.
 
-They are URL parameters of every page, such as `view=projector`, `slide=curve` and `hide=numbers,curve,clocks`, so a
+They are URL parameters of every page, such as `view=projector`, `slide=curve` and `hide=numbers,curve,clocks`. Thus a
 link contains them. A page declares a slide where it draws it: `with slide("curve", _("The curve")):`.
 """
 

@@ -1,8 +1,8 @@
 """The first run of a visit to the first page draws only the opening and the machine.
 
 Once the machine moves, the page requests a second run with everything else: menu, sidebar, curve and steps. In a single
-run, Plotly's scripts block the browser before the machine is drawn: the first picture took 7.8 times as long as the
-picture of a bare page, with two runs it takes 1.4 times as long.
+run, Plotly's scripts block the browser before the machine is drawn. The first picture took 7.8 times as long as that
+of a bare page. With two runs it takes 1.4 times as long.
 """
 
 import streamlit as st

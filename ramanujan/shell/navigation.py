@@ -55,7 +55,7 @@ class Page:
         return self._declared("URL_PARAMETERS")
 
     def lead(self) -> bool:
-        """Draw the controls at the top of the page and return True, or return False to leave them to the sidebar.
+        """Draw the controls at the top of the page and return True; return False to leave them to the sidebar.
 
         Call it outside of the page's script: Streamlit deletes the widgets of a script when another page opens.
         """

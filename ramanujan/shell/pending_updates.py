@@ -1,7 +1,7 @@
 """Values of widgets that the app sets: a preset, an exact entry, a click on the curve, the machine of a stop.
 
 Each message from the page contains the values of all widgets at the time it was sent. If the page has not yet received
-a value that the app set, its message contains the old value and would restore it. This protocol prevents that for
+a value that the app set, its message would restore the old value. This protocol prevents that for
 every widget:
 
 1. Each update has a number, and a hidden slider is set to the number of the last one.

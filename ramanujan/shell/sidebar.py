@@ -71,7 +71,7 @@ def more(offered: Collection[str], folded: Collection[str]) -> None:
     Parameters
     ----------
     offered : ids of the presets
-    folded : keys of the parameters, with the radius
+    folded : keys of the parameters in the expander
     """
     with st.expander(_("More: ready machines, radius, symbols"), key="aside"):
         if offered:

@@ -44,7 +44,7 @@ def step(
 ) -> tuple[str, str, str, str]:
     """Return heading, reason and equations of a step of a route, counted from 0. Terms have the colours of the bodies.
 
-    The equations come twice: with each operation behind its line, and for a phone with each below its line.
+    The equations have two layouts: each operation is behind its line, or below its line for a phone.
     """
     symbolic = route(name, equal_masses).steps[number]
     said = symbolic.about(numbers)
@@ -106,7 +106,7 @@ def document(
 ) -> str:
     """Return a route as LaTeX, Markdown or a notebook, or its slides, in symbols or with numbers.
 
-    Slides show the machine that is `drawn`, of a radius and with a compression [m]. A notebook takes any masses.
+    The picture on the slides has the radius and the compression [m] in `drawn`. A notebook works for any masses.
     """
     way = route(name, equal_masses and kind != "notebook")
     if drawn and kind in ("slides", "step"):

@@ -21,11 +21,11 @@ def show(access: str, stop: Stop, vote: Vote, solved: bool, chosen: str | None =
 
     Parameters
     ----------
-    access : the class's code
-    stop : the question
-    vote : the last one
+    access : code of the class
+    stop : stop with the question
+    vote : the last vote
     solved : whether to show the right answer and its number of votes
-    chosen : a student's own answer in the last vote
+    chosen : the student's own answer in the last vote
     """
     try:
         all_votes, changes = _result(access, stop.id, vote)

@@ -98,7 +98,7 @@ def door() -> None:
             if st.form_submit_button(_("Join"), type="primary"):
                 attempt(class_session.take_seat, code)
                 st.rerun()
-        # The result of a typed code appears here, because a student may not see the rest of the page.
+        # The open popover covers the page, so show the result of a typed code in it.
         if code:
             _warn()
         _for_lecturers()
@@ -288,7 +288,7 @@ def _present(key: str, stop: Stop) -> None:
 
 
 def _foot(key: str, code: str) -> None:
-    """Draw the code, the links to the other screens, the votes as a file, and the controls that end a class."""
+    """Draw the code, links to the other screens, and the controls for seats, results and the end of the class."""
     st.text(spaced(code), width="content")
     st.link_button(
         _("Open the wall"),

@@ -1,7 +1,7 @@
 """One stop of the lesson on the page: predict, observe, explain.
 
 The sliders have the values of the stop’s machine, so that a reader can change it afterwards. Before the prediction the
-stage receives neither the parts in `stop.hides` nor a computed motion, and the explanation is not computed.
+stage receives neither the parts in `stop.hides` nor a computed motion. The explanation is computed afterwards.
 """
 
 import math

@@ -21,11 +21,11 @@ PERIODS = 2
 """Number of periods of the machine in the figures."""
 
 HEIGHT = 1080
-"""Width of a figure in pixels when it fills the screen."""
+"""Height of a figure that fills the screen [px]."""
 POINTS = math.ceil(2 * math.pi * PERIODS / math.acos(1 - 1 / HEIGHT)) + 1
-"""Points per period for which the chords of a cosine with two cycles, such as an energy, err by at most half a pixel.
+"""The fewest points for an error below half a pixel, for a cosine with two cycles per period, such as an energy.
 
-A chord misses its arc at a crest by ½·height·(1 − cos ½δ), where δ is the step of the cosine's phase.
+The chord of a crest has the error ½·height·(1 − cos ½δ), where δ is the phase step of the cosine.
 """
 
 CONTACTS = {

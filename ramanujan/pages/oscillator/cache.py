@@ -61,7 +61,7 @@ def discriminant() -> int:
 
 
 def taxicab() -> str:
-    """Return the sum of squares of the number as an expression in ε."""
+    """Return the unit-frequency condition with a completed square as text, (…)² = 1729."""
     condition = unit_frequency_condition()
     numerator, denominator = sp.fraction(condition.root)
     shift = sp.sqrt(condition.discriminant) - numerator
@@ -108,7 +108,7 @@ class SummaryStep:
 
 
 LINE_WIDTH, _BESIDE = 60, 40
-"""Number of characters of a formula that fit into a window of 1280 px, and next to the machine on a projector."""
+"""Number of characters of a formula that fit into a window of 1280 px, and next to the machine."""
 _NONE, _FIRST, _LAST, _ALL = slice(0), slice(1), slice(-1, None), slice(None)
 SUMMARY: tuple[Mapping[str, slice], ...] = (
     {"velocities": _ALL},

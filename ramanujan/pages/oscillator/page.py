@@ -90,14 +90,14 @@ def the_steps() -> None:
 
 
 def composition() -> None:
-    """Draw the question and the machine, on a reader's screen also the sliders and the button of the story."""
+    """Draw the opening and the machine."""
     with st.container(key="composition"):
         opening()
         stages.mount(None, name="oscillator", layers=())
 
 
 def opening() -> None:
-    """Draw the opening: the question, on a reader's screen also the button of the story and the link to the lesson."""
+    """Draw the question. On a reader's screen, add the link to the lesson, the button of the story and the sliders."""
     st.title(_("Ramanujan’s oscillator"), anchor=False)
     if not display_mode.is_projector():
         with st.container(key="to_lesson"):

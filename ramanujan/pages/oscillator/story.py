@@ -52,7 +52,7 @@ class Scene:
 
 
 def gained(ratios: ArrayLike) -> NDArray[np.float64]:
-    """Return the gain of the machine's hand on that of the plain mass in each of its periods [turns], √f(ε) − 1."""
+    """Return the gain of the machine's hand in each period of the plain mass [turns], √f(ε) − 1."""
     return np.sqrt(normalized_frequency_squared(ratios)) - 1
 
 

@@ -68,7 +68,7 @@ def together(
 
 
 def written(question: WorksheetQuestion, with_key: bool) -> tuple[str, ...]:
-    """Return a question as a list of Markdown texts."""
+    """Return the parts of a question as Markdown."""
     options = "\n".join(f"- {option}" for option in question.options)
     if not with_key:
         return question.text, options, question.blanks
@@ -99,7 +99,7 @@ def choose() -> tuple[str, str, int]:
 
 
 def name_of_worksheet() -> None:
-    """Draw the box for a worksheet’s name, which a reader copies from paper."""
+    """Draw the box for the name of a worksheet. A reader copies this name from paper."""
 
     def take() -> None:
         if name := worksheet_keys.read_name(st.session_state["worksheet_name"]):
@@ -122,7 +122,7 @@ def make_worksheet() -> None:
 
 
 def head(machine: Oscillator, paper: str, seed: str, calculations: list[int], points: int) -> None:
-    """Draw the title with the name of the worksheet and its key, and the machine of the calculations."""
+    """Draw the title, the name that worksheet and key have in common, and the machine of the calculations."""
     title = _("Ramanujan’s oscillator: key {seed}") if paper == "key" else _("Ramanujan’s oscillator: worksheet {seed}")
     st.title(title.format(seed=spaced(seed)), anchor=False)
     if paper == "questions" and not is_projector():
