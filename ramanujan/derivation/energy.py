@@ -1,4 +1,4 @@
-"""Energy: the ratio of the two energies (Rayleigh's quotient) gives Ω² without any equation of motion.
+"""Energy: derive Ω² from the ratio of the two energies (Rayleigh's quotient), without an equation of motion.
 
 The motion of block and top cylinder in the oscillating mode minimizes the kinetic energy for a given φ̇:
 

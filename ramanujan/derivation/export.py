@@ -1,4 +1,4 @@
-"""A derivation as a file: a LaTeX article or slides, a Markdown text, or a notebook that derives everything again.
+"""A derivation as a file: a LaTeX article or slides, a Markdown text, or a notebook that repeats the derivation.
 
 LaTeX and Markdown contain the route in symbols or with the numbers of one machine. The notebook is plain SymPy.
 """
@@ -65,14 +65,14 @@ _IN_PROSE = {
     "…": r"\dots{}",
 }
 _LINE_WIDTH = 60
-"""Characters of a formula that fit on one line of the article; found by typesetting all routes with TeX."""
+"""Characters of a formula that fit on one line of the article, from typesetting all routes with TeX."""
 _SLIDE_WIDTH, _SLIDE_LINES = 50, 5
 """Characters of a formula that fit on one line of a slide, and such lines on a slide."""
 _MATH = re.compile(r"(\$[^$]*\$)")
 
 
 def to_latex(route: Route, numbers: Numbers | None = None) -> str:
-    """Return the route as a LaTeX document that needs amsmath and nothing else; in English it is plain ASCII.
+    """Return the route as a LaTeX document that needs only amsmath; in English it is plain ASCII.
 
     Parameters
     ----------
@@ -187,7 +187,7 @@ def _broken(shown: list[Row], width: int) -> list[tuple[Row, list[str]]]:
 
 
 def _display(broken: list[tuple[Row, list[str]]], width: int) -> str:
-    """Return rows as left &= right, with long sums broken into lines; an operation is behind its row or below it."""
+    """Return rows as left &= right, with long sums broken into lines; an operation follows its row or is below it."""
     equations = []
     for row, lines in broken:
         below = " \\\\\n  &" if extent(lines[-1] + row.margin) > width else ""

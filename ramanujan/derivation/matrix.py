@@ -1,4 +1,4 @@
-"""Matrix: the energies give the mass and stiffness matrices, and det(K − ω²M) = 0 gives the three modes.
+"""Matrix: derive the mass and stiffness matrices from the energies, and the three modes from det(K − ω²M) = 0.
 
     T = ½ q̇ᵀM q̇,    U = ½ qᵀK q,    q = (X, φ, Φ),    M q̈ + K q = 0
 

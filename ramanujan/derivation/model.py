@@ -20,7 +20,7 @@ epsilon, epsilon_star = sp.symbols("varepsilon varepsilon_star", positive=True)
 Omega_squared, Omega_clamped_squared = sp.symbols("Omega_squared Omega_clamped_squared", positive=True)
 """Ω² of the machine, and of the machine with clamped block and top cylinder."""
 normalized_frequency_squared = sp.Symbol("normalized_frequency_squared", positive=True)
-"""Ω²m/k as one quantity, for a step that gives its value."""
+"""Ω²m/k as one symbol, for a step with its value."""
 
 t = sp.Symbol("t")
 X, phi, Phi = (sp.Function(name)(t) for name in ("X", "varphi", "Phi"))
@@ -126,7 +126,7 @@ def machine(
 
     Parameters
     ----------
-    roller_mass : mass of each of the two lower rollers; `m` gives the paper's section 1
+    roller_mass : mass of each of the two lower rollers; `m` for the paper's section 1
     hoop, cylinder, top : shape factors β of the three rolling bodies
 
     Source: paper, figure 1 and the text before eq. (1).

@@ -93,7 +93,7 @@ def within(values: np.ndarray, shown: tuple[float, float]) -> np.ndarray:
 
 def shown_range(curves: Iterable[np.ndarray], shown: tuple[float, float]) -> tuple[float, float]:
     """Return the range of an axis: all positive finite values, within the given limits."""
-    # During the first run there are no values yet.
+    # The first run has no values yet.
     values = np.concatenate([np.empty(0), *curves])
     values = values[np.isfinite(values) & (values > 0)]
     low, high = (values.min(), values.max()) if values.size else shown

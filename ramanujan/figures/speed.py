@@ -21,7 +21,7 @@ _ENERGY_MOST, _PHASE_MOST = 0.5, 2
 _HIGH = 560
 """The height of two panels and the gap between them [px]."""
 _STRIP, _HALF_STRIP = 62, 0.24
-"""The height of a form's strip with the name above it [px], and half the height of the strip alone, as a fraction."""
+"""The height of a form's strip with the name above it [px], and half the strip's fraction of that height."""
 _MARGIN = {"l": 60, "r": 28, "t": 12, "b": 48}
 
 

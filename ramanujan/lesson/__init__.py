@@ -1,4 +1,4 @@
-"""The lesson: one path through the machine in 45 minutes, and tasks that the physics itself judges. No Streamlit here.
+"""The lesson: one path through the machine in 45 minutes, and tasks with computed verdicts, without Streamlit.
 
     stop        the parts of a stop: machine, question, options, computed answer, explanation
     clocks, bodies, modes, ratio, computing   the stops, in the order of the lesson

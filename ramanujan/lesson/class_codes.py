@@ -5,7 +5,7 @@ import ipaddress
 import secrets
 
 ALPHABET = "BCDFHJKLMNPRSTWXZ"
-"""The letters of codes: none looks like a digit or another letter, and without vowels they spell no word."""
+"""The letters of codes, without letters that look like digits or other letters, and without vowels to avoid words."""
 LETTERS = 6
 """The length of a code, for 24 million codes. A stranger who guesses one gets one vote, which the desk counts."""
 
@@ -20,7 +20,7 @@ def new_code() -> str:
 
 
 def read_code(text: str, letters: int = LETTERS) -> str | None:
-    """Return the code in a typed text, None if there is no code; case, spaces and punctuation do not matter.
+    """Return the code in a typed text, None without a code; ignore case, spaces and punctuation.
 
     >>> read_code(" bcd-fhj ")
     'BCDFHJ'

@@ -10,16 +10,16 @@ END = "end"
 
 
 class Phase(IntEnum):
-    """The phases of a question; each one shows everything that the phases before it show."""
+    """The phases of a question; each phase adds to the content of the phases before it."""
 
     ASKED = 0
     """Students answer."""
     REVEALED = 1
-    """Everybody sees the distribution of the votes, and no more answers count."""
+    """The distribution of the votes is visible, and later answers do not count."""
     RUNNING = 2
     """The machine runs."""
     SOLVED = 3
-    """Everybody sees the right answer and its explanation."""
+    """The right answer and its explanation are visible."""
 
 
 class Vote(NamedTuple):

@@ -30,7 +30,7 @@ from ramanujan.translation import _
 STUDENTS = 500
 """The largest number of students in one class."""
 NETWORK_SEATS = 60
-"""The largest number of seats that one network takes in a class within a `MINUTE`: a lecture hall behind one router.
+"""The largest number of new seats for one network in a class within a `MINUTE`: a lecture hall behind one router.
 
 The number of classes that one network opens within a `MINUTE` has the same limit.
 """
@@ -84,7 +84,7 @@ class Classes:
     def open_class(self, lifetime: float = DAY, address: str = "") -> Class:
         """Open a class with a new code and a new key.
 
-        If there are `CLASSES` already, the oldest class that nobody has joined is deleted.
+        If `CLASSES` classes exist, the oldest class without students is deleted.
 
         Parameters
         ----------

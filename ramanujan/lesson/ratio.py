@@ -67,7 +67,7 @@ _SUMS = number_theory.sums_of_two_cubes(_NUMBER)
 
 
 def _displayed(*equations: str) -> str:
-    """Return equations as Markdown, left-aligned below each other, so that they need the width of the longest only."""
+    """Return equations as Markdown, left-aligned below each other, so that the display is as wide as the longest."""
     return r"$$\begin{{aligned}}&{}\end{{aligned}}$$".format(r"\\[2pt]&".join(equations))
 
 

@@ -116,7 +116,7 @@ def _lines(formulas: Sequence[str]) -> int:
 
 
 def in_a_row(formulas: Sequence[str]) -> str:
-    """Return formulas as Markdown, as many in a line as fit. Braces prevent a line break inside a short formula."""
+    """Return formulas as Markdown, several on a line if they fit. Braces prevent a break inside a short one."""
     unbroken = (f"{{{formula}}}" if len(formula) < _LONG else formula for formula in formulas)
     return "\u2003 ".join(f"$$\\displaystyle {formula}$$" for formula in unbroken)
 

@@ -8,7 +8,7 @@ import { DECIMAL } from "./language.js";
 import { atRest, observe } from "./lasting.js";
 import { dom } from "./streamlit_dom.js";
 
-const NEAR = 6; // px from the goal within which a thumb snaps to it; a key snaps within a step
+const NEAR = 6; // px, the distance from the goal within which a thumb snaps to it; after a key stroke, the distance is a step
 const PAUSE = 400; // ms after the last move until the goal is sent: the slider sends its step before
 
 export default function (component, signal) {

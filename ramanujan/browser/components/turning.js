@@ -34,7 +34,7 @@ export class Turner {
     document.addEventListener("keydown", press, { signal });
   }
 
-  /** Go to a step. Return whether there is such a step. */
+  /** Go to a step. Return whether the step exists. */
   go(wanted) {
     const to = Math.min(Math.max(wanted, 1), this.component.data.headings.length);
     if (to === this.now) {

@@ -140,7 +140,7 @@ export class Slab {
     voice.note(fill(WORDS.restored, { value: centimetres(compression) }));
   }
 
-  /** Restore x₀ from before the last drag, with all of its digits. Return whether there was one. */
+  /** Restore x₀ from before the last drag, with all its digits. Return whether a drag could be undone. */
   undo() {
     if (this.button.hidden) return false;
     bus.publish(`enter/${this.stage.hand.slabKey}`, this.last.text);
