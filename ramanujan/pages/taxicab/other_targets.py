@@ -43,7 +43,7 @@ def another_target() -> None:
 
 
 def _reached() -> cache.Story:
-    """Return the story of the chosen target. If no machine reaches it, return that of the last reachable target."""
+    """Return the story of the chosen target. If no machine reaches it, return that of the previous target."""
     try:
         story = cache.story(*PAPER.bodies, address.held(P), address.held(Q))
     except ValueError:

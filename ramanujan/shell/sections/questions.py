@@ -30,7 +30,7 @@ _GIVEN = "answers_given"
 
 @dataclass(frozen=True)
 class Given:
-    """The last answer, and the time of the first right one."""
+    """The last answer, or the first right one with its time."""
 
     answer: str
     right_since: datetime | None
@@ -103,7 +103,7 @@ def tell_machine() -> None:
 
 
 def pose(name: str, with_step: bool, place: str = "") -> None:
-    """Draw a question with its box and verdict. Draw its hints, unless another `place` has the step’s reason."""
+    """Draw a question with its box and verdict. Draw its hints only if `place` is empty."""
     asked = question(name)
     st.markdown(asked.prompt())
     names = " ".join(f"`{each}`" for each in (*asked.accepted, "sqrt( )"))
