@@ -173,8 +173,8 @@ _WAIT = """async (ms) => {
 def settle(page: Page, seconds: float = 60) -> None:
     """Wait until the app is idle: no rerun is unanswered, no script runs, and no message has passed for a while.
 
-    The page's own timer measures the while. On a slow computer this timer is as late as the timers of the page that
-    send messages.
+    A timer in the page measures this time. On a slow computer it is as late as the timers of the page that send
+    messages.
     """
     end = time.monotonic() + seconds
     messages = traffic(page)
@@ -205,7 +205,7 @@ def next_frame(page: Page) -> None:
 
 
 def leave_out_figures(page: Page) -> None:
-    """Replace the figures of a page by nothing, because loading Plotly takes more time than the rest of the page."""
+    """Remove the figures of a page, because loading Plotly takes more time than the rest of the page."""
     client = page.context.new_cdp_session(page)
     response = {
         "responseCode": 200,

@@ -36,8 +36,8 @@ _STATE = "/var/lib/ramanujan"
 class deployed:  # noqa: N801 (reads as a sentence: with deployed(2) as hall)
     """Run the recipe's processes and its proxy during the block.
 
-    The proxy has two addresses: `address`, and `secure` for HTTPS, with a certificate that nobody has signed. A process
-    of another language is started by its name.
+    The proxy has two addresses: `address`, and `secure` for HTTPS, with a self-signed certificate. A process of another
+    language is started by its name.
     """
 
     def __init__(self, processes: int = 2) -> None:

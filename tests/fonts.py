@@ -9,10 +9,9 @@ page.css defines the ranges of characters. The files have other names than their
 The font of icons contains the icons whose names occur in the app's modules, or as `:material/name:` in Streamlit's
 scripts.
 
-The fonts draw symbols like KaTeX, with KaTeX's letters: Greek letters and the prime always, and a single Latin letter
-by context (OpenType's contextual alternates). Therefore Ω²m/k looks like a formula in a text, on a button and in a
-figure, while the text remains plain for screen readers, searches and copies. Letters of words, units and initials are
-not changed.
+The fonts draw symbols with KaTeX's letters: Greek letters and the prime always, and a single Latin letter by context
+(OpenType's contextual alternates). Therefore Ω²m/k looks like a formula in texts, on buttons and in figures. The text
+remains plain for screen readers, searches and copies. Letters of words, units and initials are not changed.
 """
 
 import html

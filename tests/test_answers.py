@@ -452,7 +452,7 @@ def test_mistakes_about_bodies_change_the_machine_and_end_in_a_question():
 
 @pytest.mark.parametrize("name", QUESTIONS)
 def test_each_result_has_one_mistake(name):
-    """Two mistakes with the same result would be ambiguous, so the judge names neither."""
+    """Slips have different results. If two confusions of bodies have the same result, the judge names neither."""
     it = question(name)
     for known in (it.slips, it.altered):
         for (one, first), (other, second) in combinations(known, 2):

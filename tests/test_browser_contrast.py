@@ -1,4 +1,4 @@
-"""The app in forced colours, a system's contrast theme: every control is seen in each state, every formula is legible.
+"""The app in forced colours, a system's contrast theme: controls are visible in each state, and formulas legible.
 
 The tests compare pixels. The system's colours replace those of the style sheets; backgrounds and shadows are not drawn.
 """

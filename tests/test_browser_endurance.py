@@ -1,7 +1,7 @@
 """A page that is open for a whole lesson: neither its memory nor its listeners grow.
 
-RAMANUJAN_MINUTES sets how long the stage runs (60 for a thorough run), RAMANUJAN_ROUNDS how often all pages with a
-stage are gone through (50 for a thorough run).
+RAMANUJAN_MINUTES sets the running time of the stage (60 for a thorough run). RAMANUJAN_ROUNDS sets the number of
+rounds through all pages with a stage (50 for a thorough run).
 """
 
 import itertools

@@ -270,8 +270,8 @@ NOTICE_AT_ONCE = """() => {
 def check_broken_network(page, late) -> None:
     """Check that no setting and no drag is lost when the server is killed or the network breaks.
 
-    To the page a server that was killed is one that was away and knows nothing of it; of a real one see
-    test_deployment.
+    The test simulates a killed server by an interruption after which the server does not know the session.
+    test_deployment kills a real one.
     """
     late.by(0.0)
     page.evaluate(NOTICE_AT_ONCE)
@@ -351,7 +351,7 @@ WITHOUT_UPDATES = """if (!sessionStorage.wasDeaf) {
   const later = setTimeout;
   globalThis.setTimeout = (act, pause, ...more) => later(act, pause === 20_000 ? 3_000 : pause, ...more);
 }"""
-"""Stops the reruns of a page, as after a lost message, until the page is reloaded; the reload comes sooner here."""
+"""Stops the reruns of a page until it is reloaded, as after a lost message, and shortens the wait for the reload."""
 
 
 def test_a_wall_whose_reruns_have_stopped_reloads_itself(visit):

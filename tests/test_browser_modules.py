@@ -198,7 +198,7 @@ def test_stages_on_one_clock_run_together_and_the_clock_ends_with_the_last_one(p
         """,
     )
     assert result["shared"]
-    # The shortest period that an eye can follow is 0.7 s.
+    # The shortest period that the eye can follow is 0.7 s.
     assert result["slowing"] == pytest.approx(0.5)
     assert result["quick"] == 1
     assert result["each"][0] == result["each"][1] > 0

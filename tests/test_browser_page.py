@@ -34,7 +34,7 @@ def test_the_machine_appears_before_all_slow_elements_and_does_not_move(chromium
     page = chromium.new_page(viewport={"width": 1280, "height": height}, bypass_csp=True)
     page.add_init_script(FIRST)
     held = []
-    if link:  # a still machine, and the elements that wait for it
+    if link:  # a machine at rest, and the elements that wait for it
         page.emulate_media(reduced_motion="reduce")
         page.route("**/arrival.js", lambda route: held.append(route))
     chromium.start_tracing(page=page, categories=["devtools.timeline"])
@@ -155,7 +155,7 @@ def test_a_sketch_reserves_the_places_of_the_page_before_its_text(chromium, serv
 
 
 def check_stage_without_data(page):
-    """Check that a stage without data has no name without a value."""
+    """Check that a stage without data shows no label without a value."""
     unnamed = """async (begin) => {
       const root = document.body.appendChild(document.createElement("div"));
       const data = { stage: "untold", clock: "untold", layers: [], limits: { compression: [0, 0.1] }, watch: {} };
@@ -180,7 +180,7 @@ def check_keys(page):
     assert page.evaluate(focused) == "Step forward"
     page.keyboard.press("ArrowRight")
     assert page.evaluate(focused) == "Release again"
-    # A menu has the browser's keys.
+    # A menu uses the browser's keys.
     for _ in ("speed", "viewpoint", "energy"):
         page.keyboard.press("Tab")
     page.keyboard.press("Space")

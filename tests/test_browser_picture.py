@@ -270,7 +270,7 @@ def check_paint(picture: Picture, theme: str) -> None:
         painted = picture.painted()
         R = drawn["rollers"]["top"]["radius"]
         block, slab = drawn["block"], drawn["slab"]
-        # Points without letters, lines and marks; the hoop is painted only in its ring.
+        # Use points without letters, lines and marks. The hoop is painted only in its ring.
         spots = {name: (drawn["rollers"][name]["centre"], 0.7) for name in ("cylinder", "top")}
         spots["hoop"] = (drawn["rollers"]["hoop"]["centre"], 0.89)
         pixels = {name: (x - share * R, y) for name, ((x, y), share) in spots.items()}

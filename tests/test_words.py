@@ -1,4 +1,4 @@
-"""Every sentence for people is a whole template that gettext tools find; in a browser see test_browser_language."""
+"""Every visible sentence is a whole template that gettext tools find. test_browser_language checks the browser."""
 
 import ast
 import os
@@ -23,7 +23,7 @@ from ramanujan.catalogue import COMPLETE, Translations, difference, languages, t
 from tests.catalogue import KEYWORDS, PACKAGE, merged, remaining, sentence, strings, template, texts, translated, update
 
 SHORTEST_LIMIT = 30
-"""Words of the longest sentence."""
+"""Largest number of words in a sentence."""
 
 _FORMULA = re.compile(r"\$[^$]*\$|`[^`]*`")
 
@@ -37,7 +37,7 @@ def every_text() -> list[str]:
 
 
 def fields(text: str) -> list[str | None]:
-    """The slots of a template in their order; LaTeX between dollar signs may have none."""
+    """Return the slots of a template in their order. LaTeX between dollar signs must contain none."""
     return [name for _text, name, _form, _conversion in string.Formatter().parse(text) if name is not None]
 
 
@@ -53,7 +53,7 @@ def calls(tree: ast.AST, *names: str) -> Iterator[ast.Call]:
 
 
 def name_of(call: ast.Call) -> str:
-    """The name of a called function, or of a method."""
+    """Return the name of a called function or method."""
     return getattr(call.func, "id", getattr(call.func, "attr", ""))
 
 
@@ -80,14 +80,14 @@ def test_numbers_have_singular_and_plural():
         # "One period" is a singular without its number.
         assert set(fields(plural)) - set(fields(singular)) <= {"n"}
         assert set(fields(singular)) <= set(fields(plural))
-    # A plural by hand: "(s)", or "1 period" beside "{n} periods".
+    # Plurals without gettext: "(s)", or "1 period" next to "{n} periods".
     assert not [text for text in every_text() if re.search(r"\w\(s\)|\{\w+\}(s|es)\b", text)]
 
 
 def test_slots_have_names():
     for text in every_text():
         for name in fields(text):
-            # A slot may show what belongs to a value, as in {machine.period} and {terms[0]}.
+            # A slot may contain an attribute or an item, as in {machine.period} and {terms[0]}.
             assert re.fullmatch(r"[^\W\d]\w*(\.[^\W\d]\w*|\[\d\])*", name), text
 
 
@@ -111,7 +111,7 @@ def test_no_line_breaks_before_a_hungarian_suffix():
     found = []
     for message in translated("hu"):
         for text in strings(message) if message.id else ():
-            # A formula and a slot end in a character that a suffix may follow; a minus sign in a formula is no hyphen.
+            # A suffix may follow a formula or a slot. A minus sign in a formula is not a hyphen.
             prose = re.sub(r"\{[^}]*\}", "x", _FORMULA.sub("x", text))
             found += [text for _each in BREAKING.finditer(prose)]
     assert found == []
@@ -129,7 +129,7 @@ QUOTED = re.compile(r"[“„]([^“„”]+)[”“]")
 
 @pytest.mark.parametrize("language", COMPLETE)
 def test_a_quoted_label_is_the_label_of_the_page(language):
-    """A sentence that names a button names it as the button is labelled, in every language."""
+    """A sentence about a button quotes its label, in every language."""
     catalogue = {text: message for message in translated(language) if message.id for text in texts(message)[:1]}
     checked = 0
     for text, message in catalogue.items():
@@ -168,7 +168,7 @@ msgstr "{translation}"
     ],
 )
 def test_an_unusable_translation_is_shown_in_english(flags, translation, reason):
-    """One renamed slot once ended the first page in KeyError."""
+    """A renamed slot once caused a KeyError on the first page."""
     head = 'msgid ""\nmsgstr "Content-Type: text/plain; charset=utf-8\\n"\n'
     catalogue = Translations(polib.pofile(head + ENTRY.format(flags=flags, translation=translation)))
     english = "{n:3 s} of $x$, **exactly** {exactly}"
@@ -177,7 +177,7 @@ def test_an_unusable_translation_is_shown_in_english(flags, translation, reason)
 
 
 def test_the_translation_of_an_edited_sentence_is_shown_and_listed_as_fuzzy(tmp_path, monkeypatch):
-    """The old English text, over several lines, once made the catalogue unreadable."""
+    """An old English text of several lines once made the catalogue unreadable."""
     contents = catalogue.catalogue_file("de").read_text(encoding="utf-8")
     monkeypatch.setattr(catalogue, "LOCALE", tmp_path)
     file = catalogue.catalogue_file("de")
@@ -217,11 +217,11 @@ def test_underscore_means_gettext_wherever_it_is_imported():
 
 CORE = {"validation", "frequency", "oscillator", "motion", "energy", "contact", "record", "integrators"}
 NUMERIC = CORE | {"number_theory"}
-"""Rooms whose errors are for programmers: they are English in every language."""
+"""Rooms with errors for programmers, which are English in every language."""
 
 
 def test_no_error_is_glued_together():
-    """The text of an error that a visitor may see, also of the parser's, is a gettext template."""
+    """The text of each visible error, including the parser's, is a gettext template."""
     for path, tree in sources():
         is_numeric = path.relative_to(PACKAGE).parts[0].removesuffix(".py") in NUMERIC
         for call in calls(tree, "ValueError", "UnreadableError"):
@@ -263,7 +263,7 @@ COUNTED = re.compile(
     r"\{([\w.]+)\} (?:other |full )?"
     r"(?:methods|precisions|ways|forms|zero modes|bodies|machines|terms|letters|pairs|hints)\b"
 )
-"""A count in digits, of what there may be few."""
+"""A count in digits that should be a word if it is small."""
 MANY = {"machines", "count", "all"}
 """Slots for the number of all machines."""
 
@@ -308,7 +308,7 @@ BOUND = re.compile(
 ROUNDED_DOWN = ("at least", "more than", "one part in", "x₀", "less than {light")
 """Lower bounds, a reciprocal, and two sufficient conditions; all other bounds are rounded up."""
 EXACT = {"most", "least", "bound", "within", "tolerance", "cost", "periods", "mu", "machine.m", "limit", "largest"}
-"""Slots of whole numbers, of values that somebody set, and of limits that are written with all their digits."""
+"""Slots of integers, of values set by users, and of limits written with all digits."""
 
 
 def bounds() -> list[tuple[str, str, str]]:
@@ -328,7 +328,7 @@ def test_every_bound_is_rounded_to_its_own_side():
 
 
 def scripts() -> dict[str, str]:
-    """Every JavaScript and HTML file without its comments."""
+    """Yield every JavaScript and HTML file without its comments."""
     files = [*PACKAGE.rglob("*.js"), *PACKAGE.rglob("*.html")]
     return {
         str(file.relative_to(PACKAGE)): re.sub(
@@ -339,7 +339,7 @@ def scripts() -> dict[str, str]:
 
 
 def spoken(name: str, text: str) -> list[str]:
-    """What looks like words for people: two words in quotes that begin with a capital; in HTML, any text."""
+    """Return visible texts: two quoted words that begin with a capital, or any text in HTML."""
     pattern = r">\s*([A-Za-z]{3,}[^<>]*)<" if name.endswith("html") else r"[\"'`]([A-Z][a-z]+ [a-z][^\"'`]*)[\"'`]"
     return re.findall(pattern, text)
 
@@ -358,7 +358,7 @@ def test_the_stage_says_what_words_py_holds_and_nothing_else():
         if path.startswith("browser/stage")
         for name in re.findall(r"WORDS\.(\w+)", text)
     }
-    # Why a motion has ended is looked up by the reason.
+    # The sentence about the end of a motion is selected by its reason.
     reasons = {"edge", "struck", "ended", "edge_ahead", "struck_ahead"}
     assert used | reasons == {*words.SENTENCES, "slips", "bodies", "rolling", "deformation"}
     assert sorted(set(fields(texts["browser/stage/stage.html"]))) == sorted({*words.TEXTS, "layer_boxes"})

@@ -3,7 +3,7 @@
     with CoursePage(server, "lesson?class=BCDFHJ", secure=True) as course:
         page.goto(course.address)
 
-A relay serves the app under that name. With `secure` both sites use HTTPS, with a certificate that nobody has signed.
+A relay serves the app under that name. With `secure` both sites use HTTPS, with a self-signed certificate.
 """
 
 import asyncio
@@ -16,11 +16,11 @@ from urllib.parse import urlsplit
 import trustme
 
 _PIECE = 65536
-"""Bytes that are passed on at a time."""
+"""Largest number of bytes forwarded at once."""
 
 
 class CoursePage:
-    """A page of another site with the app in a frame; it listens on a free port for as long as the block lasts."""
+    """A page of another site with the app in a frame. It listens on a free port during the block."""
 
     def __init__(self, server: str, link: str, *, secure: bool) -> None:
         self._server, self._link = urlsplit(server), link

@@ -1,4 +1,4 @@
-// Returns the texts of figures that are outside of the figure's frame.
+// Returns the texts of figures outside of the figure's frame.
 () => [...document.querySelectorAll(".js-plotly-plot")]
   .filter((figure) => figure.checkVisibility({ visibilityProperty: true })).flatMap((figure) => {
     const frame = figure.getBoundingClientRect();

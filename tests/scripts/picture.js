@@ -41,7 +41,7 @@
     const group = root.querySelector(`.scales .${name}`), text = group.querySelector("text").textContent;
     return group.style.display === "none" ? null : { value: parseFloat(text), text, box: arrow(group) };
   };
-  // Of every layer: its lines, and its reference arrow with the value, where it has one.
+  // The lines of every layer, and its reference arrow with the value, if any.
   const layer = (name) => {
     const reference = root.querySelector(`.scales [data-of=${name}]`), text = reference?.querySelector("text").textContent;
     const lines = byKey(`.scene .${name}:not(.rolling) [data-line]`, "line", arrow);

@@ -1,4 +1,4 @@
-// The sentences of the present slide of a projector that are lower than a share of the height, if the slide has room for more.
+// Returns the sentences of a projector's present slide that are smaller than a share of its height, if it has free room.
 ([share, full]) => {
   const slide = document.querySelector("[class*=st-key-slide-]:not([data-away])"), { top, height } = slide.getBoundingClientRect();
   const bottoms = [...slide.children].map((node) => node.getBoundingClientRect()).filter((box) => box.height > 2).map((box) => box.bottom);

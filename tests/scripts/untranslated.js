@@ -1,4 +1,4 @@
-// Returns the texts and labels that bypass gettext. The test's translation adds accents to all words, so these have none.
+// Returns the texts and labels that bypass gettext. The test's translation adds accents to all words. The returned texts have none.
 () => {
   const isUntranslated = (text) => /[a-z]{4}/.test(text) && !/[áéíóúýćńśźÁÉÍÓÚÝŚ⟪⟫·]/.test(text), texts = new Set();
   const walk = (root) => {
