@@ -1,6 +1,6 @@
 """A page that contains only components of the app, without Streamlit, in any of three browsers.
 
-The data come from Python, as in the app: `Bare.put` calls a function that puts components on the page, records their
+The data come from Python, as in the app. `Bare.put` calls a function that puts components on the page. It records their
 data, and starts them on the page with begin.js.
 """
 

@@ -33,7 +33,7 @@ _FINISHED = {ForwardMsg.FINISHED_SUCCESSFULLY, ForwardMsg.FINISHED_FRAGMENT_RUN_
 _QUIET = 350
 """Milliseconds without a message, measured by the page's timer, after which the page is complete.
 
-A slider sends after 200 ms, the steps of a lecture after 300 ms, and the address changes after 150 ms.
+A slider sends after 200 ms, and the steps of a lecture after 300 ms. The address changes after 150 ms.
 """
 
 
@@ -171,7 +171,7 @@ _WAIT = """async (ms) => {
 
 
 def settle(page: Page, seconds: float = 60) -> None:
-    """Wait until the app is idle: no rerun is unanswered, no script runs, and no message has passed for a while.
+    """Wait until the app is idle: no rerun is unanswered, no script runs, and no message passes for some time.
 
     A timer in the page measures this time. On a slow computer it is as late as the timers of the page that send
     messages.

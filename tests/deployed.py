@@ -36,7 +36,7 @@ _STATE = "/var/lib/ramanujan"
 class deployed:  # noqa: N801 (reads as a sentence: with deployed(2) as hall)
     """Run the recipe's processes and its proxy during the block.
 
-    The proxy has two addresses: `address`, and `secure` for HTTPS, with a self-signed certificate. A process of another
+    The proxy has two addresses: `address`, and `secure` for HTTPS, with an untrusted certificate. A process of another
     language is started by its name.
     """
 

@@ -9,8 +9,8 @@ page.css defines the ranges of characters. The files have other names than their
 The font of icons contains the icons whose names occur in the app's modules, or as `:material/name:` in Streamlit's
 scripts.
 
-The fonts draw symbols with KaTeX's letters: Greek letters and the prime always, and a single Latin letter by context
-(OpenType's contextual alternates). Therefore Ω²m/k looks like a formula in texts, on buttons and in figures. The text
+The fonts draw symbols with KaTeX's letters: Greek letters and the prime always, single Latin letters by context. They
+use OpenType's contextual alternates. Therefore Ω²m/k looks like a formula in texts, on buttons and in figures. The text
 remains plain for screen readers, searches and copies. Letters of words, units and initials are not changed.
 """
 
@@ -207,7 +207,7 @@ def set_symbols(font: TTFont, italic: TTFont, upright: TTFont) -> None:
 
 
 def _put(font: TTFont, name: str, source: TTFont, glyph: str, size: float = 1, up: float = 0) -> None:
-    """Add a glyph of KaTeX to a font, in the size of a formula in a text, with the same weight in every style."""
+    """Add a glyph of KaTeX to a font, in the size of a formula, with the same weight in every style."""
     pen = TTGlyphPen(None)
     scale = SCALE * size
     source.getGlyphSet()[glyph].draw(TransformPen(pen, (scale, 0, 0, scale, 0, SCALE * up * 1000)))
@@ -228,7 +228,7 @@ def _put_dot(font: TTFont, name: str, letter: str, dot: str, slope: float) -> No
     pen.addComponent(letter, (1, 0, 0, 1, 0, 0))
     pen.addComponent(dot, (1, 0, 0, 1, round(across), up))
     glyphs[name], font["hmtx"][name] = pen.glyph(), font["hmtx"][letter]
-    # In bold text it has the width of its letter: the last four deltas are those of the letter's frame.
+    # In bold text it has its letter's width: the last four deltas are those of the letter's frame.
     frames = [(each.axes, each.coordinates[-4:]) for each in font["gvar"].variations[letter]]
     font["gvar"].variations[name] = [TupleVariation(axes, [(0, 0), (0, 0), *frame]) for axes, frame in frames]
 

@@ -1,7 +1,7 @@
 """Measurements of the drawn picture: positions in pixels, angles in degrees clockwise, painted colours.
 
-This file uses neither the page's formulas nor its layout. The scale comes from the drawn radius of a roller, the zero
-from the drawn ruler, and the lengths of arrows from the scale arrows in the picture.
+This file uses neither the page's formulas nor its layout. The scale comes from the drawn radius of a roller, and the
+zero from the drawn ruler. Arrows are measured by the scale arrows in the picture.
 """
 
 import io

@@ -6,7 +6,7 @@ from typing import Any
 import numpy as np
 
 NUMBER = "([−0-9.\u202f×⁻⁰¹²³⁴⁵⁶⁷⁸⁹]*[0-9⁰¹²³⁴⁵⁶⁷⁸⁹])"
-"""A regular expression for such a number."""
+"""A regular expression for a number on a page."""
 
 _RAISED = str.maketrans("⁻⁰¹²³⁴⁵⁶⁷⁸⁹", "-0123456789")
 

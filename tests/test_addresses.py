@@ -53,7 +53,7 @@ MEANT = {
     "exercise_key": key_of(7),
     "exercise_name": name_of(7),
 }
-"""A text for each key that is neither a choice nor a slider, and for each key that controls another key."""
+"""A text for each key that is not a choice or a slider, and for keys that control other keys."""
 
 
 def meant(key: addresses.URLParameter) -> str:

@@ -1,4 +1,4 @@
-"""A tour of the pages, each opened once: everyone can use and read it, in both themes, wide, narrow, and on paper.
+"""Accessibility and typesetting of every page, opened once: in both themes, wide, narrow, and on paper.
 
 axe-core reports no violation, headings skip no level, and the focus is visible. Typesetting: the page's typeface in its
 figures, short lines, no line that begins with a full stop, labels inside figures. The server's content security policy

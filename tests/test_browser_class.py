@@ -1,4 +1,4 @@
-"""A class in browsers: a desk on a phone, two walls, a voter, the short lesson, and the file of the votes.
+"""A class in browsers: a desk on a phone, two walls, a voter, the short lesson, and the votes' file.
 
 Other students vote without a browser; test_scene_classroom checks their phones. Every fourth stop of the whole lesson
 is checked on the wall, or all of them if RAMANUJAN_DEEP is set.
@@ -37,7 +37,7 @@ WIDEST_CODE = """(node) => {
   text.textContent = before;
   return fits ? parseFloat(getComputedStyle(node).fontSize) : 0;
 }"""
-"""The size of a code's letters on the wall [px]; 0 if a code of the widest letters does not fit into one line."""
+"""The size of a code's letters on the wall [px], or 0 if the widest code needs two lines."""
 SPACED = """* { line-height: 1.5 !important; letter-spacing: .12em !important; word-spacing: .16em !important }
 p { margin-bottom: 2em !important }"""
 """The text spacing of WCAG 1.4.12."""
@@ -52,7 +52,7 @@ READABLE = """() => {
   const place = wall.querySelector(".st-key-wall_still, .st-key-wall_running").getBoundingClientRect();
   return words.length > 5 && words.every((box) => box.bottom <= Math.min(reach, place.top + 1) && box.right <= right);
 }"""
-"""Whether all words are above the machine and inside of the scrollable area, and no word is cut at the right edge."""
+"""Whether all words are above the machine, in the scrollable area, and not cut at the right edge."""
 
 RERUN_ON_DEMAND = """(() => {
   const acts = new Map(), begin = setInterval, end = clearInterval;

@@ -188,7 +188,7 @@ def check_ring(page) -> None:
     """Check that both rings mark the present machine and follow a drag without the server, also out of the inset."""
     ring, in_inset = (f".st-key-curve .present-machine >> nth={i}" for i in (0, 1))
     equal, unit = (POINT.format(i) for i in (4, 5))
-    # Plotly's own marks are at equal masses and at the unit ratio; the star is not centred in its box.
+    # Plotly's marks are at equal masses and at the unit ratio. The star is not centred in its box.
     assert middle(page, in_inset) == pytest.approx(middle(page, equal), abs=0.6)
     assert math.dist(middle(page, equal), middle(page, unit)) > 100
     press(page, "In step (1729)")
@@ -240,7 +240,7 @@ def check_second_click(page) -> None:
 
 
 def check_first_screen(page) -> None:
-    """Check that the stage and its controls fit on the first screen, and that nothing is cut in half a window.
+    """Check that stage and controls fit on the first screen, and that nothing is cut in half a window.
 
     test_browser_grid checks that no labels of the curve overlap.
     """

@@ -175,7 +175,7 @@ def test_the_present_route_can_be_downloaded_and_its_formulas_fit_a_phone(visit)
 
 
 def check_scrolling(page) -> None:
-    """Check that on a narrow screen a key scrolls a formula without turning a step, and that its focus is visible."""
+    """Check that a key scrolls a formula on a narrow screen without turning a step, and shows its focus."""
     page.set_viewport_size({"width": 200, "height": 844})
     box, before = page.locator(".katex-display[data-scrolls]:visible").first, step(page)
     box.wait_for()
@@ -254,7 +254,7 @@ def test_headings_keep_their_place_beside_the_machine_and_every_body_has_its_ink
         names = [*(f"{body}Text" for body in BODY_COLORS.values()), "primary"]
         wanted = {"rgb({}, {}, {})".format(*rgb(THEME[theme][f"{name}Color"])) for name in names}
         page.wait_for_function(f"(wanted) => {INKS}.join() === wanted", arg=",".join(sorted(wanted)))
-    # The pointer on a term highlights its body and the body's arrow; the pointer on a body highlights its terms.
+    # The pointer on a term highlights its body and the body's arrow. On a body it highlights the terms.
     for _turn in range(10):
         page.keyboard.press("ArrowLeft")
     page.locator(".st-key-step_4 .katex-html [style*=color]", has_text="m").first.hover()

@@ -1,4 +1,4 @@
-"""A class in a frame of another site, such as a course page: a pupil has one seat, and the answer is stored.
+"""A class in a frame of another site, for example a course page: one seat per pupil, and stored answers.
 
 Browsers send no cookie of the app to such a frame. The tests also start browsers that deny storage to other sites:
 Firefox with a preference, and Debian's Chromium.

@@ -18,7 +18,7 @@ from tests.test_browser_print import CUT
 pytestmark = pytest.mark.parametrize("engine", ["firefox", "webkit"])
 
 FIND = script("find")
-"""The first visible element with this selector and name, or null; "A >> B" is B in the component in A."""
+"""The first visible element with this selector and name, or null. "A >> B" is B in the component in A."""
 
 
 class Visitor:
@@ -195,7 +195,7 @@ def test_a_projector_is_turned_by_keys(at):
 def test_worksheet_on_paper(at):
     visitor = at("worksheet?level=1", width=681, height=1000)  # A4 without its margins
     visitor.until(".st-key-worksheet_picture img")
-    # Only one of the three browsers can print in a test, so the rules for paper are applied to the screen.
+    # Only one of the three browsers can print, so the test applies the rules for paper to the screen.
     visitor.page.evaluate("""() => {
       const on = { screen: "not all", print: "all" };
       const sheets = [...document.styleSheets], rules = sheets.flatMap((sheet) => [...sheet.cssRules]);

@@ -25,7 +25,7 @@ NAMES = ("float32", "float64", "Markdown")
 """Names of formats, the same in every language."""
 UNTRANSLATED = script("untranslated")
 CUT = script("cut")
-"""Elements that are too wide and do not scroll. Streamlit's bar of pages moves such names into a menu."""
+"""Elements that are too wide and do not scroll. Streamlit's bar of pages moves long names into a menu."""
 OVERLAPS = script("overlaps")
 """Overlapping texts; only the middle three fifths of a line's height count."""
 COVER = """() => {

@@ -351,7 +351,7 @@ WITHOUT_UPDATES = """if (!sessionStorage.wasDeaf) {
   const later = setTimeout;
   globalThis.setTimeout = (act, pause, ...more) => later(act, pause === 20_000 ? 3_000 : pause, ...more);
 }"""
-"""Stops the reruns of a page until it is reloaded, as after a lost message, and shortens the wait for the reload."""
+"""Stops a page's reruns until a reload, as after a lost message, and shortens the wait for it."""
 
 
 def test_a_wall_whose_reruns_have_stopped_reloads_itself(visit):

@@ -70,7 +70,7 @@ def test_a_component_begins_once_is_updated_by_every_call_and_ends_with_the_last
 
 
 def test_a_published_value_remains_when_a_double_of_the_component_ends(page):
-    """A change of the view puts a component on the page twice for a moment; a later stage still needs the value."""
+    """A change of the view briefly puts a component on the page twice. A later stage still needs the value."""
     received = run(
         page,
         "begin",

@@ -104,7 +104,7 @@ def check_orbit(page):
           });
         }"""
     )
-    # Released at rest: the slab at 8 cm, block and top cylinder at 0; a pixel is about 0.1 cm and 0.2 cm/s.
+    # Released at rest: the slab at 8 cm, block and top cylinder at 0. A pixel is about 0.1 cm or 0.2 cm/s.
     for place, expected in zip(places, ((8, 0), (0, 0), (0, 0)), strict=True):
         assert place == pytest.approx(expected, abs=0.4)
 

@@ -305,7 +305,7 @@ def test_bars_and_swatches_keep_their_colours(picture):
 
 @ANY_ENGINE
 def test_in_step_is_shown_if_and_only_if_it_is_true(picture):
-    """The stage lights up only if the hands separate by less than a hundredth of a turn in a million periods."""
+    """The stage lights up only for a separation of the hands below 0.01 turns in a million periods."""
     seen = {}
     for off in (0.0, -1e-9, 1e-7, 1e-3, 0.05, -0.2):
         # Ω/√(k/m) = 1 + off

@@ -88,7 +88,7 @@ SHEETS = {"oscillator": 6, "derivation": 11, "motion": 3, "taxicab": 6, "speed":
 
 
 def check_printed(page, most: int) -> None:
-    """Check the number of sheets of a page, in the dark theme and with its six steps open if it has them.
+    """Check the number of sheets of a page, in the dark theme and with its steps open, if any.
 
     Nothing is cut or dark, no sheet is empty, and each step is on one sheet with its equations.
     """

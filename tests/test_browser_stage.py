@@ -58,7 +58,7 @@ def test_nothing_jumps_when_a_parameter_changes(picture):
     scale = picture.find("root.querySelector('.machine').getScreenCTM().a") * 100  # pixels per metre
     fastest = 0.08 * Oscillator(1, 0.1, 10).natural_frequency * scale  # x₀Ω of the fastest of the three
     steps = [(t1 - t0, abs(x1 - x0)) for (t0, x0), (t1, x1) in pairwise(places)]
-    # A change of shape by Δ fades with 70 ms: Δ is at most the difference of the two couplings times x₀, 3 cm.
+    # A change of shape by Δ fades with 70 ms. Δ is at most 3 cm: the difference of the couplings times x₀.
     fading = 0.03 / 0.07 * scale
     assert max(moved - 2 * (fastest + fading) * ms / 1000 for ms, moved in steps) < 2
     assert sum(moved for _, moved in steps) > 20

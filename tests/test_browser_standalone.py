@@ -195,7 +195,7 @@ def test_the_file_in_a_frame_of_another_site_makes_no_request(browsers, file, en
         with serving(tmp_path) as other:
             page.goto(f"http://127.0.0.1:{other}/course.html")
             inside = page.frames[1]
-            # The policy blocks Playwright's scripts, so the test uses only what is visible.
+            # The policy blocks Playwright's scripts, so the test uses only visible elements.
             normalized = inside.locator("[data-read=normalized]")
             expect(normalized).to_have_text("1.050505")
             expect(inside.locator(".st-key-k input[type=range]")).to_have_value("20")

@@ -1,7 +1,7 @@
 """A class whose votes are in PostgreSQL, so that several machines share it: a real server, killed and restarted.
 
-The server is Debian's (`apt-get install postgresql`), started by the test on a free port; without it these tests are
-skipped, unless RAMANUJAN_REQUIRE_POSTGRES is set.
+The tests start Debian's server (`apt-get install postgresql`) on a free port. Without it they are skipped, unless
+RAMANUJAN_REQUIRE_POSTGRES is set.
 """
 
 import inspect

@@ -37,7 +37,7 @@ def test_heading_and_reason_are_there_and_hold_no_result(name, key):
     assert step.heading[-1] not in ".:"
     assert step.reason.endswith((".", "?"))
     assert step.reason.count("$") % 2 == 0
-    # One digit belongs to a formula such as 2Rφ or to "close to 1"; results have more, or a point, or a root.
+    # A single digit belongs to a formula such as 2Rφ or to "close to 1". Results have more, a point or a root.
     assert not re.search(r"\d\d|\d\.\d|\\frac\{\d|\\sqrt", step.heading + step.reason)
 
 

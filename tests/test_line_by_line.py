@@ -157,7 +157,7 @@ FACTORS = {
     ("energy", "frequency", 1): ("quotient", 0),
     ("energy", "spring_mass", 0): ("frequency", 0),
 }
-"""Route, step and place of a line whose operation names a factor → step and place of the line that it changes.
+"""Route, step and place of a line with a factor as operation → step and place of the changed line.
 
 M_clamped is only a name in the routes. No line contains its value.
 """

@@ -1,7 +1,7 @@
 """A step underlines exactly the terms that its operation removes, adds or moves to the other side.
 
 A line comes from the one above it or from one of an earlier step. SymPy proves this: the sum of the changed terms is
-zero, perhaps after a definition of the step is inserted, or it is a multiple of another line.
+zero, or a multiple of another line. Definitions of the step may be inserted first.
 """
 
 from collections.abc import Collection, Sequence

@@ -41,7 +41,7 @@ def test_a_bound_is_on_its_own_side_and_less_than_a_digit_away(digits):
         assert lower <= value <= upper
         digit = 10.0 ** (math.floor(math.log10(abs(value))) - digits + 1) if value else 0.0
         assert upper - lower <= 1.001 * digit
-        # A number with so few digits is its own bound.
+        # A number with at most `digits` digits equals both bounds.
         short = float(f"{value:.{digits - 1}e}")
         assert read(numerals.at_least(short, digits)) == short == read(numerals.at_most(short, digits))
 

@@ -1,4 +1,4 @@
-"""A record and its table: the series are consistent with each other, and NumPy reads the same numbers from the CSV."""
+"""A record and its table: the series are consistent, and NumPy reads the same numbers from the CSV."""
 
 import io
 from dataclasses import replace

@@ -69,7 +69,7 @@ def answer(app: AppTest, option: str) -> AppTest:
 
 @pytest.fixture
 def lecturer() -> AppTest:
-    """The page of a lecturer who has opened a class, at the first stop."""
+    """The page of a lecturer with an open class, at the first stop."""
     return press(visitor(), "open")
 
 

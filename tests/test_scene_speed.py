@@ -76,7 +76,7 @@ def test_every_corner_is_shown(app, method, steps, precision):
         sweep="scale_float32",
     )
     assert f"**{METHODS[method].title}, {steps} steps per period, {precision}:**" in words(app)
-    # hΩ = 2π/3 lies beyond Verlet's limit of 2.
+    # hΩ = 2π/3 is above Verlet's limit of 2.
     assert ("**unstable here**" in words(app)) == (method == "velocity_verlet")
     if method == "explicit_euler":
         # Each of 90 steps multiplies q² + v² by 1 + (hΩ)².

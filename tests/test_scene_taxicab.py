@@ -213,7 +213,7 @@ def test_labels_of_the_curve_stay_on_the_figure_at_every_target() -> None:
         figure = go.Figure(crossing.to_dict())
         label = figure.layout.annotations[0]
         low, high = figure.layout.yaxis.range
-        # Less the margins, the plot is 270 px high; a label of two lines reaches 20 px beyond its middle.
+        # Without margins, the plot is 270 px high. A label of two lines extends 20 px from its middle.
         height = 270 * (w - low) / (high - low) - label.ay
         assert 20 <= height <= 270 - 10
 

@@ -17,7 +17,7 @@ PAGES = tuple(page.address for page in navigation.PAGES.values())
 def test_a_page_caches_no_message_that_changes_and_drops_no_message_in_use(server: str, page: str) -> None:
     """The server sends only the hash of a cached message, which fails if the page has dropped the message.
 
-    After any move of a slider, the motion page receives at most 60 kB, even if the whole page is redrawn.
+    After any move of a slider, the motion page receives at most 60 kB, even for a complete redraw.
     """
 
     async def visit() -> None:

@@ -180,7 +180,7 @@ def test_the_frequency_that_is_asked_for_is_had_at_the_ratio_of_the_key(seed):
     asked = sp.Rational(re.search(r"m/k=(\d+/\d+)", last.text)[1])
     exact = number_of(re.search(r"so \$\\varepsilon=(\\frac\{.*?\}\{\d+\})", last.answer)[1])
     assert normalized_frequency_squared(float(exact)) == pytest.approx(float(asked), rel=1e-12)
-    # The frequency is set equal to the target; the discriminant is that of 18wε² + (49w − 48)ε + 32w − 56.
+    # Set the frequency equal to the target. The discriminant is that of 18wε² + (49w − 48)ε + 32w − 56.
     frequency, target = last.working[0].rsplit("=", 1)
     assert float(number_of(target)) == float(asked)
     assert float(number_of(frequency, **{r"\varepsilon": float(exact)})) == pytest.approx(float(asked), rel=1e-12)
@@ -219,7 +219,7 @@ def test_the_picture_is_to_scale(radius):
     assert {"block", "hoop", "cylinder", "slab", "top"} <= paths.keys()
     down = [float(curve.split()[-1]) for curve in paths["top"].strip("z").split("c")[1:]]
     assert down[0] + down[1] == pytest.approx(-down[2] - down[3]) == pytest.approx(200 * radius)
-    # The slab lies on the lower rollers: its lower side is their highest point.
+    # The slab touches the lower rollers: its lower side is at their highest point.
     slab = re.match(r"M(-?[\d.]+) (-?[\d.]+)", paths["slab"])
     hoop = re.match(r"M(-?[\d.]+) (-?[\d.]+)", paths["hoop"])
     assert float(slab[2]) == pytest.approx(float(hoop[2]), abs=1e-3)

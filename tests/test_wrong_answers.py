@@ -1,7 +1,7 @@
 """Thousands of wrong answers, each with one spoiled coefficient or sign: every sentence of a verdict must be true.
 
 The tests parse each sentence and compare it with the spoiled formula, at random points in fractions. They check a hint
-at an altered machine by an independent method: Ω² is the stiffness times an entry of M⁻¹. The suite uses a small
+at an altered machine independently: Ω² is the stiffness times an entry of M⁻¹. The suite uses a small
 seeded sample. RAMANUJAN_DEEP=1 uses 5,000 answers to each question.
 """
 
@@ -66,7 +66,7 @@ def text_of(expression: sp.Expr) -> str:
 
 
 def spoiled_text(whole: sp.Expr, term: sp.Expr, ratio: sp.Expr, source: random.Random) -> str:
-    """Return the text of a sum with one term multiplied by a ratio, either directly or by a correction at the end."""
+    """Return the text of a sum with one term multiplied by a ratio, directly or by a correction at the end."""
     if source.randrange(2):
         return f"{text_of(whole)} + ({text_of((ratio - 1) * term)})"
     terms = [text_of(each) for each in (ratio * term, *sp.Add.make_args(sp.expand(whole - term)))]

@@ -3,7 +3,7 @@
     with CoursePage(server, "lesson?class=BCDFHJ", secure=True) as course:
         page.goto(course.address)
 
-A relay serves the app under that name. With `secure` both sites use HTTPS, with a self-signed certificate.
+A relay serves the app under that name. With `secure` both sites use HTTPS, with an untrusted certificate.
 """
 
 import asyncio

@@ -6,8 +6,8 @@
 First visit: bytes, and seconds until the first picture, with and without compression. --megabits limits the bandwidth
 [Mbit/s], and --delay adds a latency to each request [ms]. "plain" is a browser that does not accept compression.
 
-Later visit, with all scripts in the browser's cache: seconds until the machine moves, compared with a bare page that
-has two sliders, also with a processor of a quarter of the speed.
+Later visit, with all scripts in the browser's cache: seconds until the machine moves, compared with a bare page with
+two sliders. The measurement is repeated with a processor of a quarter of the speed.
 
 With --clients, this number of clients requests the twelve largest scripts from a new server at once, and then again.
 """
