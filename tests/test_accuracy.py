@@ -222,7 +222,7 @@ def test_eigen_solvers_find_the_mode_but_not_two_zeros():
     results = {(s.solver, s.dtype): s for s in eigen_solvers()}
     assert {solver for solver, _ in results} == set(SOLVERS)
     for sweep in results.values():
-        assert np.nanmax(sweep.error_ulp) < 32  # a solver for 3×3 matrices has dozens of operations
+        assert np.nanmax(sweep.error_ulp) < 32  # a solver for 3×3 matrices uses dozens of operations
         assert sweep.zero_modes.shape == (sweep.mass_ratio.size, 2)
     assert results["eigh_cholesky", "float64"].without_frequency.any()
     assert results["eigvals_ground", "float64"].without_frequency.any()

@@ -113,7 +113,7 @@ def check_printed(page, most: int) -> None:
 
 
 SHEETS_TRIED = 15 if os.environ.get("RAMANUJAN_DEEP") else 1
-"""Codes of worksheets whose four sheets are printed: a derivation of each level, and the key."""
+"""Number of tested codes. Each code has four sheets: a derivation of each level, and the key."""
 
 
 def test_a_worksheet_fills_its_pages_and_its_lines_do_not_touch(visit):

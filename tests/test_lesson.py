@@ -242,7 +242,7 @@ def test_every_wrong_option_has_a_reply_that_ends_in_a_question():
         replies = {option: stop.reply(option) for option in stop.options if option != right}
         assert all(reply.endswith("?") for reply in replies.values())
         assert len(set(replies.values())) == len(replies)
-        # The reply asks a further question and does not reveal the right option.
+        # A reply does not reveal the right option.
         assert not any(stop.options[right].rstrip(".") in reply for reply in replies.values())
 
 

@@ -1,4 +1,4 @@
-"""The promises of README and CONTRIBUTING.md: the printed commands and programs run as printed."""
+"""The commands and programs in README and CONTRIBUTING.md run as printed."""
 
 import os
 import re

@@ -24,7 +24,7 @@ def test_every_name_is_known_to_streamlit_s_page():
     assert len(used) > 10
     scripts = (Path(streamlit.__file__).parent / "static" / "static" / "js").glob("*.js")
     known = "".join(path.read_text(encoding="utf-8") for path in scripts)
-    # Some names are the beginning of a whole family.
+    # Some names are a common prefix of several names.
     assert [name for name in sorted(used) if name not in known] == []
     assert "is_history_navigation" in {field.name for field in fields(ScriptRunContext)}
 
