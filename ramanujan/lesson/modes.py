@@ -59,7 +59,7 @@ def _lightest_without_top_slip() -> float:
         machine = replace(EQUAL, m_prime=ratio * EQUAL.m)
         if first_to_slip(machine, COMPRESSION, _SPACING) != "top_block":
             return machine.mass_ratio
-    raise ValueError("the top cylinder slips first at every mass ratio")
+    raise RuntimeError("the top cylinder slips first at every mass ratio")
 
 
 STOPS = (
