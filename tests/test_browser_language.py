@@ -30,7 +30,8 @@ OVERLAPS = script("overlaps")
 """Overlapping texts; only the middle three fifths of a line's height count."""
 COVER = """() => {
   const [h1, tick] = [document.querySelector("h1"), document.querySelector(".js-plotly-plot svg .xtick text")];
-  h1.insertAdjacentHTML("afterend", "<div style='position:relative;height:0;top:-3rem;margin:0'>over the title</div>");
+  const over = `<div style="position:relative;height:0;margin:0;top:-${h1.offsetHeight}px">over the title</div>`;
+  h1.insertAdjacentHTML("afterend", over);
   if (tick) tick.parentElement.appendChild(tick.cloneNode()).textContent = "over a tick";
   return tick ? ["over the title", "over a tick"] : ["over the title"];
 }"""

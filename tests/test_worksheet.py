@@ -282,7 +282,7 @@ def test_what_is_no_name_of_a_sheet_gets_a_sentence_and_the_old_sheet_stays():
     app.text_input(key="worksheet_name").set_value("<b>1729</b>").run()
     assert app.query_params["seed"] == name_of(5)
     assert [each.value for each in app.warning] == [
-        "A worksheet’s name has 10 letters, all from BCDFHJKLMNPRSTWXZ. The old name was kept."
+        "A worksheet’s name has ten letters, all from BCDFHJKLMNPRSTWXZ. The old name was kept."
     ]
 
 

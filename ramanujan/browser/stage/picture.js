@@ -121,7 +121,7 @@ export function makePicture(root, { compact, dials, narrow, limits, label }, sig
   function drawComputed(known, playback, shift) {
     const { log } = playback.computed, period = Math.min(Math.floor(playback.phase / TURN + 1e-9), log.length - 1);
     const [evaluations, turns] = log[period];
-    put(finder(find(".computed")), placed({ ...known, ...playback.rival() }, place, shift));
+    put(finder(find(".computed")), placed({ ...known, ...playback.computedState() }, place, shift));
     find(".label").textContent = fill(WORDS.counted, { period, periods: log.length - 1, evaluations, turns });
   }
 
