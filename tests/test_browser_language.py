@@ -30,8 +30,10 @@ OVERLAPS = script("overlaps")
 """Overlapping texts; only the middle three fifths of a line's height count."""
 COVER = """() => {
   const [h1, tick] = [document.querySelector("h1"), document.querySelector(".js-plotly-plot svg .xtick text")];
-  const over = `<div style="position:relative;height:0;margin:0;top:-${h1.offsetHeight}px">over the title</div>`;
-  h1.insertAdjacentHTML("afterend", over);
+  const over = h1.cloneNode();
+  over.textContent = "over the title";
+  over.style = `position:absolute;top:${h1.offsetTop}px;left:${h1.offsetLeft}px`;
+  h1.after(over);
   if (tick) tick.parentElement.appendChild(tick.cloneNode()).textContent = "over a tick";
   return tick ? ["over the title", "over a tick"] : ["over the title"];
 }"""
