@@ -60,7 +60,8 @@ function setRatio(ratio) {
   const [m, rollers] = ["m", "m_prime"].map((name) => parameters.find(({ key }) => key === name));
   const wanted = ratio * values.m, bound = Math.min(Math.max(wanted, rollers.least), rollers.most);
   if (wanted === bound) return set({ m_prime: wanted });
-  const mass = Math.min(Math.max(Math.round(bound / ratio / m.step) * m.step, m.least), m.most);
+  const onStep = Number((Math.round(bound / ratio / m.step) * m.step).toPrecision(10));
+  const mass = Math.min(Math.max(onStep, m.least), m.most);
   const limits = { old: asText(values.m, m), new: asText(mass, m), bound: asText(bound, rollers) };
   const sentence = fill(wanted > bound ? sentences.lighter : sentences.heavier, limits);
   set({ m: mass, m_prime: Math.min(Math.max(ratio * mass, rollers.least), rollers.most) }, sentence);
