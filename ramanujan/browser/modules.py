@@ -96,12 +96,20 @@ def _layer_boxes() -> str:
     )
 
 
-def _light() -> dict[str, str]:
-    """Return the stage's colours in the light theme by Streamlit's names, for saved pictures."""
-    names = sorted(set(re.findall(r"var\((--st-(?!widget)[a-z-]*color)", _text(_HERE / "stage/stage.css"))))
+def theme_colors(theme: str, style: str) -> dict[str, str]:
+    """Return the colours of a theme that a style sheet uses, by their custom properties such as --st-text-color.
+
+    Streamlit derives the colours of its widgets itself, so these are left out.
+    """
+    names = sorted(set(re.findall(r"--st-(?!widget)[a-z-]+-color", style)))
     options = {name: re.sub("-([a-z])", lambda match: match[1].upper(), name.removeprefix("--st-")) for name in names}
-    colors = {name: st.get_option(f"theme.light.{option}") for name, option in options.items()}
+    colors = {name: st.get_option(f"theme.{theme}.{option}") for name, option in options.items()}
     return {name: color for name, color in colors.items() if color}
+
+
+def _light() -> dict[str, str]:
+    """Return the stage's colours in the light theme, for saved pictures."""
+    return theme_colors("light", _text(_HERE / "stage/stage.css"))
 
 
 def _text(path: Path) -> str:

@@ -21,7 +21,6 @@ from string import Template
 from typing import Any
 from urllib.parse import quote
 
-import streamlit as st
 from latex2mathml.converter import convert
 
 from ramanujan import Oscillator
@@ -206,11 +205,9 @@ def _font(content: bytes) -> str:
 
 def _colors(theme: str) -> str:
     """Return a theme's colours as custom properties with Streamlit's names."""
-    options = sorted(set(re.findall(r"--st-([a-z-]+-color)", modules.contents()["markup.js"].decode() + _page_css())))
-    named = {name: re.sub("-([a-z])", lambda match: match[1].upper(), name) for name in options}
-    colors = {name: st.get_option(f"theme.{theme}.{option}") for name, option in named.items() if "widget" not in name}
-    colors["widget-border-color"] = colors["border-color"]
-    return " ".join(f"--st-{name}: {color};" for name, color in colors.items() if color)
+    colors = modules.theme_colors(theme, modules.contents()["markup.js"].decode() + _page_css())
+    colors["--st-widget-border-color"] = colors["--st-border-color"]
+    return " ".join(f"{name}: {color};" for name, color in colors.items())
 
 
 def _page_css() -> str:
