@@ -13,7 +13,7 @@ from pathlib import Path
 import mpmath
 import pytest
 import sympy as sp
-from playwright.sync_api import expect
+from playwright.sync_api import Frame, Page, expect
 
 from ramanujan.browser.standalone import html
 from ramanujan.derivation.model import k, m, m_prime
@@ -24,13 +24,16 @@ from tests.reference import natural_frequency_squared
 
 MACHINE_KEYS = ("m", "m_prime", "k")
 READY = "globalThis.ramanujan?.last('drawn/oscillator')"
+STAGE = "document.querySelector('.st-key-stage > div').shadowRoot"
 READ = f"""() => {{
-  const root = document.querySelector(".st-key-stage > div").shadowRoot;
+  const root = {STAGE};
   const texts = [...root.querySelectorAll("[data-read]")].map((node) => [node.dataset.read, node.textContent]);
   const hands = ["machine", "plain"].map((name) => root.querySelector(`.hand.${{name}}`).getAttribute("transform"));
-  return {{ drawn: {READY}, hands, note: document.querySelector(".note").textContent, ...Object.fromEntries(texts) }};
+  const [lead, parting] = [".verdict", ".parting"].map((name) => root.querySelector(name).textContent);
+  const note = document.querySelector(".note").textContent;
+  return {{ drawn: {READY}, hands, lead, parting, note, ...Object.fromEntries(texts) }};
 }}"""
-"""The drawn machine, the readouts, the hands and the note below the sliders."""
+"""The drawn machine, the readouts, the hands, the sentences about the hands, and the note below the sliders."""
 TYPE = """([key, text]) => {
   const box = document.querySelector(`.st-key-${key}_exact > div`).shadowRoot.querySelector("input");
   box.value = text;
@@ -101,7 +104,7 @@ def test_the_file_runs_from_disk(window, file):
 
 @pytest.mark.parametrize("engine", ["chromium"])
 def test_the_file_agrees_with_exact_frequencies(window, file, engine):
-    """Check the drawn Ω²m/k, the readouts, and both hands after some periods, for 40 machines."""
+    """Check Ω²m/k, the readouts, both hands and the sentences about them after some periods, for 40 machines."""
     page, chance = opened(window(), file.as_uri()), random.Random(1729)
     for _ in range(40):
         values = {}
@@ -110,7 +113,7 @@ def test_the_file_agrees_with_exact_frequencies(window, file, engine):
             values[name] = round(chance.uniform(parameter.least, parameter.most), 3)
             page.evaluate(TYPE, [name, str(values[name])])
         omega_squared, plain_squared = exact(values)
-        time = float(chance.randrange(1, 12) / mpmath.sqrt(plain_squared))
+        time = float(chance.uniform(1, 70) / mpmath.sqrt(plain_squared))
         page.evaluate(SEEK, time)
         seen = page.evaluate(READ)
         normalized = float(omega_squared / plain_squared)
@@ -121,6 +124,19 @@ def test_the_file_agrees_with_exact_frequencies(window, file, engine):
             degrees = float(re.search(r"\((-?[\d.e-]+)", hand)[1])
             turns = degrees / 360 - float(mpmath.sqrt(squared) * time / (2 * mpmath.pi))
             assert turns - round(turns) == pytest.approx(0, abs=1e-4)
+        check_sentences(seen, omega_squared, plain_squared, time)
+
+
+def check_sentences(seen: dict, omega_squared: mpmath.mpf, plain_squared: mpmath.mpf, time: float) -> None:
+    """Check the sentences about the hands after a time [s]: which is ahead, by how much, and when by a full turn."""
+    plain = mpmath.sqrt(plain_squared)
+    periods, gain = plain * time / (2 * mpmath.pi), mpmath.sqrt(omega_squared) / plain - 1
+    turns, direction, after = re.search(r"is ([\d.]+) turns (\w+) after ([\d.]+) periods", seen["lead"]).groups()
+    assert float(turns) == pytest.approx(float(abs(gain) * periods), abs=0.0051)
+    assert direction == ("ahead" if gain > 0 else "behind")
+    assert float(after) == pytest.approx(float(periods), abs=0.051)
+    apart = float(re.search(r"fter ([\d.]+) plain-mass periods the hands are one full turn", seen["parting"])[1])
+    assert apart == pytest.approx(float(1 / abs(gain)), abs=0.51 if apart >= 10 else 0.051)
 
 
 @pytest.mark.parametrize("engine", ["chromium"])
@@ -179,37 +195,83 @@ def serving(folder: Path) -> Iterator[int]:
         server.shutdown()
 
 
+@contextmanager
+def course(file: Path, folder: Path) -> Iterator[str]:
+    """Serve a course page that contains the file from another site in a sandboxed frame; yield its address."""
+    with serving(file.parent) as port, serving(folder) as other:
+        source = f"http://localhost:{port}/{file.name}#k=20"
+        frame = f'<iframe sandbox="allow-scripts" src="{source}" width="900" height="700"></iframe>'
+        (folder / "course.html").write_text(f'<link rel="icon" href="data:,">{frame}')
+        yield f"http://127.0.0.1:{other}/course.html"
+
+
 @pytest.mark.parametrize("engine", ["chromium", "firefox"])
 def test_the_file_in_a_frame_of_another_site_makes_no_request(browsers, file, engine, tmp_path):
-    """The frame is sandboxed, with the content security policy in effect; the keyboard works in it."""
-    with serving(file.parent) as port:
-        frame = (
-            f'<iframe sandbox="allow-scripts" src="http://localhost:{port}/{file.name}#k=20" width="900" height="700">'
-        )
-        (tmp_path / "course.html").write_text(frame)
-        context = browsers(engine).new_context(viewport={"width": 1000, "height": 760})
-        page, requests, errors = context.new_page(), [], []
-        page.on("request", lambda request: requests.append(request.url))
-        page.on("pageerror", lambda error: errors.append(str(error)))
-        page.on("console", lambda message: errors.append(message.text) if message.type == "error" else None)
-        with serving(tmp_path) as other:
-            page.goto(f"http://127.0.0.1:{other}/course.html")
-            inside = page.frames[1]
-            # The policy blocks Playwright's scripts, so the test uses only visible elements.
-            normalized = inside.locator("[data-read=normalized]")
-            expect(normalized).to_have_text("1.050505")
-            expect(inside.locator(".st-key-k input[type=range]")).to_have_value("20")
-            slider = inside.locator(".st-key-m_prime input[type=range]")
-            if engine == "chromium":
-                slider.click(position={"x": 100, "y": 10})
-                page.keyboard.press("ArrowRight")
-            else:  # Playwright's mouse and keys do not reach a frame in Firefox
-                moved = "input.stepUp(); for (const type of ['input', 'change']) input.dispatchEvent(new Event(type))"
-                slider.evaluate(f"(input) => {{ {moved} }}")
-            expect(slider).not_to_have_value("1")
-            expect(normalized).not_to_have_text("1.050505")
-        sent = [url for url in requests if not url.startswith("data:") and not url.endswith("favicon.ico")]
-        assert [url.rpartition("/")[2].partition("#")[0] for url in sent] == ["course.html", file.name]
-        assert errors == []
-        assert context.cookies() == []
-        context.close()
+    """The frame is sandboxed, with the content security policy in effect; keyboard and touch work in it."""
+    context = browsers(engine).new_context(viewport={"width": 1000, "height": 760}, reduced_motion="reduce")
+    page, requests, errors = context.new_page(), [], []
+    page.on("request", lambda request: requests.append(request.url))
+    page.on("pageerror", lambda error: errors.append(str(error)))
+    page.on("console", lambda message: errors.append(message.text) if message.type == "error" else None)
+    with course(file, tmp_path) as address:
+        page.goto(address)
+        inside = page.frames[1]
+        # The policy blocks Playwright's scripts, so the test uses only visible elements.
+        normalized = inside.locator("[data-read=normalized]")
+        expect(normalized).to_have_text("1.050505")
+        expect(inside.locator(".st-key-k input[type=range]")).to_have_value("20")
+        slider = inside.locator(".st-key-m_prime input[type=range]")
+        if engine == "chromium":
+            slider.click(position={"x": 100, "y": 10})
+            page.keyboard.press("ArrowRight")
+            drag_slab_by_touch(page, inside)
+            expect(inside.locator(".st-key-compression input[type=range]")).not_to_have_value("8")
+        else:  # Playwright's mouse and keys do not reach a frame in Firefox
+            moved = "input.stepUp(); for (const type of ['input', 'change']) input.dispatchEvent(new Event(type))"
+            slider.evaluate(f"(input) => {{ {moved} }}")
+        expect(slider).not_to_have_value("1")
+        expect(normalized).not_to_have_text("1.050505")
+    sent = [url for url in requests if not url.startswith("data:") and not url.endswith("favicon.ico")]
+    assert [url.rpartition("/")[2].partition("#")[0] for url in sent] == ["course.html", file.name]
+    assert errors == []
+    assert context.cookies() == []
+    context.close()
+
+
+def drag_slab_by_touch(page: Page, inside: Frame) -> None:
+    """Drag the slab 60 px to the left with a finger."""
+    client, box = page.context.new_cdp_session(page), inside.locator(".body.slab .grip").bounding_box()
+    x, y = box["x"] + box["width"] / 2, box["y"] + box["height"] / 2
+    for kind, by in (("touchStart", 0), ("touchMove", -30), ("touchMove", -60), ("touchEnd", None)):
+        points = [] if by is None else [{"x": x + by, "y": y}]
+        client.send("Input.dispatchTouchEvent", {"type": kind, "touchPoints": points})
+
+
+def box_of(node: str) -> str:
+    """Return the JavaScript expression for a node's position and size [px]."""
+    return f"(({{ x, y, width, height }}) => [x, y, width, height])({node}.getBoundingClientRect())"
+
+
+@pytest.mark.parametrize("engine", ["webkit"])
+def test_the_file_answers_in_a_frame_of_another_site_in_webkit(window, file, engine, tmp_path):
+    """The frame is sandboxed. The keyboard moves a slider, and the mouse drags the slab. The driver has no touch."""
+    page = window(1000, 760)
+    with course(file, tmp_path) as address:
+        page.goto(address)
+        frame_x, frame_y, *_size = page.evaluate(box_of("document.querySelector('iframe')"))
+        page.enter_frame()
+        page.wait_for_function(READY)
+        assert page.evaluate("self.origin") == "null"
+        # Only keys move WebKit's focus into a frame: to the button, to the box of m′, and to its slider.
+        for key in ("Tab", "Tab", "Tab", "ArrowRight"):
+            page.keyboard.press(key)
+        page.wait_for_function("location.hash === '#k=20&m_prime=1.01'")
+        page.wait_for_function("ramanujan.last('drawn/oscillator').ratio === 1.01")
+        x, y, width, height = page.evaluate(box_of(f"{STAGE}.querySelector('.grip')"))
+        x, y = frame_x + x + width / 2, frame_y + y + height / 2
+        page.mouse.move(x, y)
+        page.mouse.down()
+        page.mouse.move(x - 60, y, steps=3)
+        page.mouse.up()
+        page.wait_for_function("ramanujan.last('drawn/oscillator').parameters.compression < 0.05")
+        page.wait_for_function("location.hash.includes('compression=')")

@@ -62,12 +62,17 @@ class Page:
 
     def forget(self) -> None:
         """Delete cookies and storage before the next test."""
+        self.driver.switch_to.default_content()
         self.evaluate("location.protocol.startsWith('http') && (localStorage.clear(), sessionStorage.clear())")
         self.driver.delete_all_cookies()
         self.goto("about:blank")
 
     def goto(self, address: str) -> None:
         self.driver.get(address)
+
+    def enter_frame(self) -> None:
+        """Evaluate later expressions in the first frame of this page."""
+        self.driver.switch_to.frame(0)
 
     @property
     def url(self) -> str:

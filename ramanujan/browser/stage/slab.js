@@ -47,8 +47,8 @@ export class Slab {
     const on = (type, act, options = {}) => node.addEventListener(type, act, { ...options, signal });
     const ofGrip = (act) => (event) => event.pointerId === this.grip?.id && act(event);
     on("pointerdown", (event) => this.press(event));
-    // A finger that drags the slab must not also scroll the page.
-    on("touchstart", (event) => event.preventDefault(), { passive: false });
+    // A finger that drags the slab must not also scroll the page. A scroll in progress cannot be cancelled.
+    on("touchstart", (event) => event.cancelable && event.preventDefault(), { passive: false });
     on("pointermove", ofGrip((event) => this.drag(event)));
     on("pointercancel", ofGrip(() => this.end(() => this.cancel())));
     for (const type of ["pointerup", "lostpointercapture"]) on(type, ofGrip(() => this.end(() => this.letGo())));

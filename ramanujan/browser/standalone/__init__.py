@@ -177,9 +177,11 @@ def _with_formulas(text: str) -> str:
 
 def _mathml(latex: str) -> str:
     """Return a formula as MathML, with large fractions. A placeholder replaces m′, which the converter would split."""
-    converted = convert(latex.replace(r"\frac", r"\dfrac").replace("m'", _PLACEHOLDER))
+    # Chromium adds a wide space beside parentheses that can grow. These formulas have none around a fraction.
+    fixed = latex.replace(r"\left", "").replace(r"\right", "")
+    converted = convert(fixed.replace(r"\frac", r"\dfrac").replace("m'", _PLACEHOLDER))
     converted = converted.replace(f"<mi>{_PLACEHOLDER}</mi>", "<mi>𝑚′</mi>")
-    converted = converted.replace("<mo>/</mo>", '<mo lspace="0" rspace="0">/</mo>')
+    converted = converted.replace("<mo>&#x0002F;</mo>", '<mo lspace="0" rspace="0">/</mo>')
     converted = _CAPITAL.sub(r'<mi mathvariant="normal">\1', converted)
     return _SIGN.sub(r'\1<mo form="prefix">&#x02212;</mo>', converted)
 

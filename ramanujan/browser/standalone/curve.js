@@ -42,7 +42,7 @@ export function drawCurve(svg, { range, light, heavy, equal, unit, words, shape 
   add("path", { class: "limit", d: path(low, (ratio) => heavy / ratio) });
   add("path", { class: "unity", d: path([least, most], () => 1) });
   add("text", { x: BOX.left + 6, y: y(light) - 5 }, words.light);
-  add("text", { class: "scale", x: BOX.right, y: y(1.3) }, words.heavy);
+  add("text", { x: x(low[0]) + 8, y: y(heavy / low[0]) + 4 }, words.heavy);
   add("text", { class: "scale unity", x: BOX.right, y: y(1) - 6 }, words.step);
   add("path", { class: "line", d: path(ratios, value) });
 
@@ -50,9 +50,9 @@ export function drawCurve(svg, { range, light, heavy, equal, unit, words, shape 
   add("line", { x1: x(0.7), x2: x(equal) - 5, y1: y(0.9), y2: y(value(equal)) + 5 });
   add("text", { class: "scale", x: x(0.68), y: y(0.87) }, words.equal);
   add("circle", { class: "unit", cx: x(unit), cy: y(1), r: 5 });
-  add("text", { class: "unit number", x: x(0.05), y: y(0.55) }, words.number);
-  add("text", { class: "unit", x: x(0.05), y: y(0.55) + 20 }, words.unit);
-  add("line", { x1: x(0.25), x2: x(unit), y1: y(0.58), y2: y(1) + 6 });
+  add("text", { class: "scale unit number", x: x(0.5), y: y(0.55) }, words.number);
+  add("text", { class: "scale unit", x: x(0.5), y: y(0.55) + 20 }, words.unit);
+  add("line", { x1: x(0.53), x2: x(unit) - 3, y1: y(0.62), y2: y(1) + 6 });
   const ring = add("circle", { class: "ring", r: 10 });
   bus.subscribe("drawn/oscillator", ({ ratio, normalized }) => {
     ring.setAttribute("cx", x(ratio));

@@ -32,7 +32,9 @@ function publishAll() {
   for (const { key } of parameters) publish(`exact/${key}`, { value: values[key], text: String(values[key]), judged });
 }
 
-/** Set values, and show a message. */
+note.addEventListener("click", () => (note.textContent = ""));
+
+/** Set values, and show a message. A click on the message removes it. */
 function set(changes, sentence = "") {
   Object.assign(values, changes);
   for (const [key, value] of Object.entries(changes)) {
