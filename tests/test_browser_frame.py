@@ -55,7 +55,7 @@ def strict(playwright: object, engine: str) -> Iterator[object]:
         browser = playwright.firefox.launch(channel="moz-firefox", executable_path=FIREFOX, firefox_user_prefs=prefs)
     else:
         if not CHROMIUM_WITH_WINDOWS:
-            pytest.skip("chromium-headless-shell cannot refuse storage; chromium is missing")
+            skip_missing("chromium")
         arguments = [*FLAGS, "--headless=new"]
         browser = playwright.chromium.launch(executable_path=CHROMIUM_WITH_WINDOWS, args=arguments)
     yield browser
@@ -103,6 +103,8 @@ def test_without_any_storage_the_page_offers_a_new_tab(strict, visitor, server, 
         tab.goto(course.address)
         frame = tab.frame_locator("iframe")
         frame.get_by_text("Your answer counts once").wait_for()
+        frame.get_by_text("This browser stores nothing").wait_for()
+        assert frame.get_by_text("30 days").count() == 0
         link = frame.get_by_role("link", name="Open the class in a tab of its own")
         assert link.get_attribute("target") == "_blank"
         own = context.new_page()

@@ -134,14 +134,18 @@ def unknown_stop() -> str:
     return _("The class is at a question that this version of the app does not have.")
 
 
-def storage(expires: float) -> str:
+def storage(expires: float, *, is_browser_storing: bool = True) -> str:
     """Return a description of the stored data about the students of a class, in two sentences.
 
     Parameters
     ----------
     expires : time at which the class is deleted [s since 1970]
+    is_browser_storing : whether the browser stores a cookie; a frame of another site may have none
     """
-    mark = _("A random number in a cookie lasts 30 days; a one-way mark of the network prevents extra votes.")
+    if is_browser_storing:
+        mark = _("A random number in a cookie lasts 30 days; a one-way mark of the network prevents extra votes.")
+    else:
+        mark = _("This browser stores nothing; a one-way mark of the network prevents extra votes.")
     votes = _("The votes are stored without names until {date}.").format(date=local_time.date(expires))
     return f"{mark} {votes}"
 

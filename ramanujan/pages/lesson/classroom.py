@@ -79,7 +79,8 @@ def guests(show: Callable[..., None]) -> None:
             with above if running else below:
                 show(stop, running, fixed=True)
         with suppress(ClassError):
-            st.caption(class_results.storage(shared().expires(seat.code)))
+            expires, is_storing = shared().expires(seat.code), not class_session.forgets_seat()
+            st.caption(class_results.storage(expires, is_browser_storing=is_storing))
         st.stop()
 
 
