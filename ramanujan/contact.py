@@ -42,16 +42,13 @@ smaller. The block also carries the weight m′g of each lower roller.
 from __future__ import annotations
 
 import math
-from typing import TypeVar
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from ramanujan.motion import InitialState
 from ramanujan.oscillator import GRAVITY, Oscillator
-from ramanujan.validation import coordinates, finite, positive
-
-FloatOrArray = TypeVar("FloatOrArray", float, NDArray[np.float64])
+from ramanujan.validation import FloatOrArray, coordinates, finite, positive
 
 
 def contact_forces(oscillator: Oscillator, q: ArrayLike) -> dict[str, NDArray[np.float64]]:

@@ -20,20 +20,17 @@ at ε = ε*, eq. (14).
 from __future__ import annotations
 
 import math
-from typing import TypeVar
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from ramanujan.validation import float_array
+from ramanujan.validation import FloatOrArray, float_array
 
 UNIT_MASS_RATIO = 48 / (1 + math.sqrt(1729))
 """ε* = (√1729 − 1)/36, eq. (14), where Ω² = k/m. The nearest double: the subtraction in eq. (14) loses a digit."""
 
 LIGHT_ROLLERS_LIMIT = 7 / 4
 """Upper bound of Ω²m/k: its limit for ε → 0."""
-
-FloatOrArray = TypeVar("FloatOrArray", float, NDArray[np.floating])
 
 
 def effective_mass_ratio(mass_ratio: FloatOrArray) -> FloatOrArray:

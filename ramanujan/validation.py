@@ -10,9 +10,13 @@ import math
 import reprlib
 from decimal import Decimal
 from numbers import Real
+from typing import TypeVar
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
+
+FloatOrArray = TypeVar("FloatOrArray", float, NDArray[np.float64], NDArray[np.floating])
+"""The type of a formula that maps a float to a float, and an array to an array of the same dtype."""
 
 
 def finite(name: str, value: object) -> float:

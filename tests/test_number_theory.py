@@ -312,9 +312,9 @@ def test_quadratics_without_exactly_one_positive_root_are_refused(quadratic):
 
 def test_values_outside_their_range_are_refused_by_name():
     refused = [("digits", lambda: nt.positive_root_digits(*PAPER, 1001)), ("quotients", lambda: nt.convergents([1, 0]))]
+    refused += [("top", lambda: nt.BodyChoice("hoop", "cylinder", "ball"))]
     for bad in (-1, 2, Fraction(-1, 9)):
         refused += [("beta_b", lambda bad=bad: nt.unit_quadratic("hoop", bad, "cylinder"))]
-        refused += [("top", lambda bad=bad: nt.BodyChoice("hoop", "cylinder", bad))]
     for bad in (0, -1, LIGHT_ROLLERS_LIMIT, 2):
         calls = (nt.BodyChoice, nt.norm_form)
         refused += [("target", lambda call=call, bad=bad: call(target=bad)) for call in calls]
@@ -336,4 +336,4 @@ def test_largest_permitted_inputs_have_a_discriminant():
     assert len(nt.positive_root_digits(*quadratic, 1000)) == 1002
     assert len(nt.convergents(nt.continued_fraction(*quadratic, 100))) == 100
     with pytest.raises(ValueError, match=r"^n must"):
-        _ = nt.BodyChoice(*betas, Fraction(999_953, 999_997)).factorization
+        nt.factorization(nt.discriminant(*quadratic))

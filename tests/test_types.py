@@ -1,4 +1,4 @@
-"""The types of the package, as mypy checks them; .mypy.ini lists the modules whose errors are not fixed yet."""
+"""The types of the package, as mypy checks them."""
 
 import subprocess
 import sys

@@ -70,8 +70,10 @@ def curve_sampling() -> dict[str, dict[int, float]]:
     >>> list(curve_sampling()["cosine"])[:3]
     [9, 17, 33]
     """
-    curves = {"cosine": (np.cos, 2 * np.pi), "frequency": (normalized_frequency_squared, LARGEST_MASS_RATIO)}
-    return {name: {n: _largest_distance(*curve, n) for n in POINTS} for name, curve in curves.items()}
+    return {
+        "cosine": {n: _largest_distance(np.cos, 2 * np.pi, n) for n in POINTS},
+        "frequency": {n: _largest_distance(_frequency_curve, LARGEST_MASS_RATIO, n) for n in POINTS},
+    }
 
 
 def closed_form(oscillator: Oscillator, periods: Sequence[int] = PERIODS) -> list[ClosedForm]:
@@ -165,6 +167,11 @@ def caching(oscillator: Oscillator) -> dict[str, float]:
         "states": (lambda: [motion(oscillator, initial, t) for t in times], lambda: motion(oscillator, initial, times)),
     }
     return {name: measure(slow).median / measure(fast).median for name, (slow, fast) in slow_and_fast.items()}
+
+
+def _frequency_curve(mass_ratios: np.ndarray) -> np.ndarray:
+    """Return Ω²m/k along the curve."""
+    return np.asarray(normalized_frequency_squared(mass_ratios))
 
 
 def _largest_distance(curve: Callable[[np.ndarray], np.ndarray], end: float, points: int) -> float:

@@ -6,7 +6,8 @@
 
 from __future__ import annotations
 
-from typing import Any, TypeVar
+from fractions import Fraction
+from typing import TypeVar
 
 import mpmath
 import numpy as np
@@ -14,8 +15,10 @@ from numpy.typing import NDArray
 
 from ramanujan.accuracy.measurement import REFERENCE
 from ramanujan.oscillator import Oscillator
+from ramanujan.validation import FloatOrArray
 
-Number = TypeVar("Number", bound=Any)
+Number = TypeVar("Number", Fraction, float, NDArray[np.floating])
+"""The type of an argument in one of several kinds of arithmetic. The numbers of mpmath have no type annotations."""
 
 _SPLITTER = 2.0**27 + 1
 """Veltkamp's constant, which splits a float into two halves of 26 bits. Products of such halves are exact."""
@@ -26,7 +29,7 @@ def frequency_squared(m: Number, m_prime: Number, k: Number) -> Number:
 
     Parameters
     ----------
-    m, m_prime, k : m, m′ [kg] and k [N/m], all of the same type: fractions, mpmath numbers, or floats
+    m, m_prime, k : m, m′ [kg] and k [N/m], all of the same type: fractions, mpmath numbers, floats, or arrays
 
     Returns
     -------
@@ -84,7 +87,8 @@ def exact_frequency_squared(m: float, m_prime: float, k: float) -> mpmath.mpf:
     >>> round(float(exact_frequency_squared(1, 1, 99)), 9)
     104.0
     """
-    return frequency_squared(*(REFERENCE.mpf(float(value)) for value in (m, m_prime, k)))
+    exact_m, exact_m_prime, exact_k = (REFERENCE.mpf(float(value)) for value in (m, m_prime, k))
+    return frequency_squared(exact_m, exact_m_prime, exact_k)
 
 
 def turns_per_second(oscillator: Oscillator) -> tuple[float, float]:
@@ -108,7 +112,7 @@ def turns_per_second(oscillator: Oscillator) -> tuple[float, float]:
     return high, float(turns - REFERENCE.mpf(high))
 
 
-def reduced_phase(turns: tuple[float, float], times: NDArray[np.float64]) -> NDArray[np.float64]:
+def reduced_phase(turns: tuple[float, float], times: FloatOrArray) -> FloatOrArray:
     """Return the phase Ωt without its whole turns, between −π and π. Their subtraction causes no rounding error.
 
     Parameters
@@ -131,7 +135,7 @@ def reduced_phase(turns: tuple[float, float], times: NDArray[np.float64]) -> NDA
     return 2 * np.pi * ((product - np.rint(product)) + remainder)
 
 
-def _product_error(a: float, b: NDArray[np.float64], rounded: NDArray[np.float64]) -> NDArray[np.float64]:
+def _product_error(a: float, b: FloatOrArray, rounded: FloatOrArray) -> FloatOrArray:
     """Return ab − `rounded`, exactly, where `rounded` is the float product a * b.
 
     The factors are split into halves by Veltkamp's method, and the products of the halves are added by Dekker's. No

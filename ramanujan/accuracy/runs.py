@@ -24,7 +24,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from ramanujan.accuracy.measurement import Timing, measure
-from ramanujan.integrators import METHODS, Method, trajectory
+from ramanujan.integrators import METHODS, Method, Runs, trajectory
 
 _BLOCK = 256
 """Largest number of steps in a block."""
@@ -107,8 +107,7 @@ def blocks(
     10 (10, 2)
     20 (10, 1)
     """
-    is_single_run = h.size == 1
-    arguments = map(_as_number, (*start, h)) if is_single_run else (*start, h)
+    arguments = map(_as_number, (*start, h)) if h.size == 1 else (*start, h)
     states = trajectory(method, lambda q: -q, *arguments)
     done = 0
     for ended_runs, last_step in enumerate(steps.tolist()):
@@ -118,10 +117,10 @@ def blocks(
             # An unstable run may overflow; this is a result.
             with np.errstate(over="ignore", invalid="ignore"):
                 for row, (q_row, v_row) in enumerate(islice(states, rows)):
-                    if is_single_run:
-                        q[row], v[row] = q_row, v_row
-                    else:
+                    if isinstance(q_row, np.ndarray) and isinstance(v_row, np.ndarray):
                         q[row], v[row] = q_row[..., ended_runs:], v_row[..., ended_runs:]
+                    else:
+                        q[row], v[row] = q_row, v_row
             yield np.arange(done + 1, done + rows + 1), q, v
             done += rows
 
@@ -171,7 +170,7 @@ def _counted(method: str) -> tuple[int, int]:
     """Return the number of evaluations in the first and in the second step."""
     calls = 0
 
-    def acceleration(q: float) -> float:
+    def acceleration(q: Runs) -> Runs:
         nonlocal calls
         calls += 1
         return -q

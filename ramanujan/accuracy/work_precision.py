@@ -54,6 +54,11 @@ class WorkPrecision:
         """Duration of each run: number of steps times the median duration of a step; NaN before the measurement."""
         return self.steps_per_period * self.periods * (self.step.median if self.step else np.nan)
 
+    @property
+    def spread(self) -> float:
+        """Distance of the quartiles of a step's duration, relative to the median; NaN before the measurement."""
+        return (self.step.high - self.step.low) / self.step.median if self.step else np.nan
+
 
 @dataclass(frozen=True)
 class Choice:

@@ -119,7 +119,7 @@ def _of_polynomial(question: Question, compared: Compared) -> Difference:
             return Difference([_("In your answer a velocity or an angle is below a fraction line.")], "")
         return Difference([_("In your answer a mass or a length is below a fraction line.")], "")
     opposite = replace(compared, given=-compared.given).differences(question.variables)
-    if len(opposite) == 1 < len(differences):
+    if opposite and len(opposite) == 1 < len(differences):
         return _listed(opposite, _("Multiply your answer by −1. Then only one term differs."))
     return _listed(differences)
 

@@ -198,7 +198,7 @@ def _significant_digits(decimal: sp.Symbol) -> int:
 
 def _rounded_mistake(question: Question, typed: sp.Expr, digits: int) -> str | None:
     """Return the hint if the decimal number is the rounded result of exactly one mistake, else None."""
-    mistakes = []
+    mistakes: list[tuple[str, values.Values]] = []
     if digits >= _OF_SLIPS:
         mistakes += question.slips
     if digits >= _OF_BODIES:

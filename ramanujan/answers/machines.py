@@ -104,6 +104,11 @@ def _other_angle(body: Body) -> dict[str, Any]:
     return {"displacement": body.displacement.xreplace(swapped), "angle": body.angle.xreplace(swapped)}
 
 
+def _with_shape_factor(beta: sp.Rational) -> Callable[[Body], dict[str, Any]]:
+    """Return the change that gives a body this shape factor."""
+    return lambda _body: {"shape_factor": beta}
+
+
 MISTAKES = (
     Mistake(
         "no_rotation",
@@ -178,7 +183,7 @@ MISTAKES = (
             # TRANSLATORS: {body} is the hoop, the top cylinder …; {shape} is a hoop, a solid cylinder …
             _("You get this result if {body} has the moment of inertia of {shape}. What is the right one?"),
             tuple(_ROLLERS.split()),
-            lambda _body, shape=shape: {"shape_factor": shape},
+            _with_shape_factor(shape),
             example,
         )
         for shape, (_name, example) in _SHAPES.items()

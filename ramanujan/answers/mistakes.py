@@ -340,7 +340,7 @@ def ratio() -> Slips:
     yield _slip("no_b_squared", "(√1728-1)/36", (sp.sqrt(-4 * a * c) - b) / (2 * a))
     yield _slip("no_4_under_root", "(√433-1)/36", (sp.sqrt(b**2 - a * c) - b) / (2 * a))
     for slip in _sides():
-        roots = (machines.positive_root(wrong.as_poly(epsilon)) for wrong in slip.results)
+        roots = (machines.positive_root(sp.Poly(wrong, epsilon)) for wrong in slip.results)
         yield slip._replace(results=tuple(roots))
     yield from procedures("unit_mass_ratio")
 

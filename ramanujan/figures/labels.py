@@ -86,9 +86,10 @@ def _placed(area: Area) -> list[tuple[float, dict[str, Any]]]:
         (name, {"color": color}, _places(_half(name), path, _SIDES, [*paths[:i], *paths[i + 1 :]], screens))
         for i, ((name, color, _x, _y), path) in enumerate(zip(curves, paths, strict=True))
     ]
-    for name, (low, high) in area.bands.items():
-        x = np.linspace(*area.x_range, len(low))
-        middle, *edges = (_path(x, y, area, 4 * _POINTS) for y in ((low + high) / 2, low, high))
+    for name, (lower, upper) in area.bands.items():
+        x = np.linspace(*area.x_range, len(lower))
+        middle = _path(x, (lower + upper) / 2, area, 4 * _POINTS)
+        edges = [_path(x, edge, area, 4 * _POINTS) for edge in (lower, upper)]
         low_name = _half(name) * (1, _BAND_HIGH)
         found.append((name, {}, _places(low_name, middle, [(0, 0)], edges, screens, _BAND_WIDE)))
     best: dict[int, int] = {}
@@ -156,7 +157,11 @@ def _path(x: np.ndarray, y: np.ndarray, area: Area, points: int = _POINTS) -> np
 
 def _written(name: str, font: dict[str, str], places: _Places, best: int, area: Area) -> dict[str, Any]:
     """Return the annotation of a name in one of its places."""
-    (across, up), shares = places.side[best], zip(places.at[best], (area.x_range, area.y_range), strict=True)
-    words = note(name, font.get("color"), *(low + share * (high - low) for share, (low, high) in shares), area.axis)
+    across, up = places.side[best]
+    x, y = (
+        low + share * (high - low)
+        for share, (low, high) in zip(places.at[best], (area.x_range, area.y_range), strict=True)
+    )
+    words = note(name, font.get("color"), x, y, area.axis)
     anchors = {"xanchor": ("center", "left", "right")[across], "yanchor": ("middle", "bottom", "top")[up]}
     return words | anchors | {"yshift": 4 * int(up)}

@@ -64,7 +64,7 @@ def time_panels(panels: Sequence[Panel], *, period: float, periods: int, colors:
     colors : ink, faint and paper
     """
     end = period * periods
-    axes: dict[str, dict[str, Any]] = {}
+    axes: dict[str, Any] = {}
     traces: list[dict[str, Any]] = []
     areas: list[Area] = []
     for place, (panel, domain) in enumerate(zip(panels, _domains(len(panels)), strict=True), start=1):
@@ -77,10 +77,19 @@ def time_panels(panels: Sequence[Panel], *, period: float, periods: int, colors:
     notes = [_above(period, _("one period"), font={"size": 12}), *beside(*areas)]
     at = {"text": "<i>t</i> = %{x:.4~g} s"}
     along = _axis(_("time after release <i>t</i> [s]"), (0, end), anchor="free", position=0, unifiedhovertitle=at)
-    # One small hover box for all panels hides little of the curves.
-    box = {"hovermode": "x unified", "hoversubplots": "axis", "hoverlabel": {"font": {"size": 11}}}
-    meta = {"cursor": "time", "period": period, "periods": periods}
-    return _laid_out(traces, colors, shapes=[end_of_one], annotations=notes, meta=meta, xaxis=along, **axes, **box)
+    return _laid_out(
+        traces,
+        colors,
+        shapes=[end_of_one],
+        annotations=notes,
+        meta={"cursor": "time", "period": period, "periods": periods},
+        xaxis=along,
+        **axes,
+        # One small hover box for all panels hides little of the curves.
+        hovermode="x unified",
+        hoversubplots="axis",
+        hoverlabel={"font": {"size": 11}},
+    )
 
 
 def phase_plane(
@@ -136,7 +145,7 @@ def friction_bars(
     return _laid_out(
         [bars | {"width": 0.62, "hovertemplate": "%{x:.4~g}<extra></extra>"}],
         colors,
-        260,
+        height=260,
         shapes=[_upright(friction_coefficient, {"color": colors["primary"], "width": 3})],
         annotations=[_above(friction_coefficient, present, font={"color": colors["primary"]})],
         yaxis={"autorange": "reversed", "ticks": "", "showgrid": False, "fixedrange": True},
@@ -152,7 +161,9 @@ def roomy(arrays: Sequence[np.ndarray]) -> tuple[float, float]:
     return float(least - margin), float(most + margin)
 
 
-def _laid_out(traces: list[dict[str, Any]], colors: Mapping[str, str], height: int = _HEIGHT, **layout: Any) -> Drawn:
+def _laid_out(
+    traces: list[dict[str, Any]], colors: Mapping[str, str], *, height: int = _HEIGHT, **layout: Any
+) -> Drawn:
     margin = {"t": _ABOVE, "b": _BELOW, "l": 64}
     return figure(traces, colors, height + _BELOW + _ABOVE, margin=margin, uirevision="stay", **layout)
 
@@ -203,7 +214,7 @@ def _trace(curve: Curve, panel: Panel, axis: str, end: float, *, several: bool) 
     if several and curve is panel.curves[0]:
         # In the common hover box the first curve of each panel adds the panel's title.
         hover = f"<b>{panel.title}</b><br>{hover}"
-    trace = {
+    trace: dict[str, Any] = {
         "type": "scatter",
         # Equal steps need no array of times. Single precision is much finer than a pixel.
         "x0": 0,
@@ -219,7 +230,7 @@ def _trace(curve: Curve, panel: Panel, axis: str, end: float, *, several: bool) 
         "yhoverformat": ".3~g",
     }
     if curve.stacked:
-        trace |= {"stackgroup": "stack", "fillcolor": curve.color, "line": {**trace["line"], "width": 0.5}}
+        trace |= {"stackgroup": "stack", "fillcolor": curve.color, "line": curve.look | {"width": 0.5}}
         if curve.hatched:
             trace["fillpattern"] = {"shape": "/", "size": 5, "solidity": 0.35, "fgcolor": curve.color}
     return trace

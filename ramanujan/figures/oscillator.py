@@ -96,13 +96,20 @@ def frequency_curve(curve: Curve, colors: Mapping[str, str]) -> Drawn:
         note(curve.unit.label, colors["top"], least, low) | in_lens | {"yshift": 4},
     ]
     hover = f"<i>ε</i> = %{{x:.5g}}<br>{NORMALIZED} = %{{y:.5g}}<extra>%{{fullData.name}}</extra>"
-    more = {"shapes": _lens(ends, highest, curve.unit.value, colors), "annotations": notes}
     (left, right), (bottom, top) = _PLACE
     box = {"mirror": True, "showgrid": False, "fixedrange": True}
-    more["xaxis2"] = box | {"range": [least, most], "domain": [left, right], "anchor": "y2", "dtick": 0.2}
-    more["yaxis2"] = box | {"range": [low, high], "domain": [bottom, top], "anchor": "x2", "tickvals": []}
-    along = {"type": "log", "range": np.log10(ends).tolist(), "dtick": 1}
-    return over_ratios(traces, highest, hover, colors, along, meta={"ring": colors["primary"]}, **more)
+    return over_ratios(
+        traces,
+        highest,
+        hover,
+        colors,
+        {"type": "log", "range": np.log10(ends).tolist(), "dtick": 1},
+        meta={"ring": colors["primary"]},
+        shapes=_lens(ends, highest, curve.unit.value, colors),
+        annotations=notes,
+        xaxis2=box | {"range": [least, most], "domain": [left, right], "anchor": "y2", "dtick": 0.2},
+        yaxis2=box | {"range": [low, high], "domain": [bottom, top], "anchor": "x2", "tickvals": []},
+    )
 
 
 def limit_labels(curve: Curve) -> tuple[str, str]:
@@ -116,8 +123,8 @@ def _lens(ends: list[float], highest: float, unit: float, colors: Mapping[str, s
     """Return the lines “in step” of panel and inset, the background of the inset, and the frame of its region."""
     (least, most), (low, high) = _LENS
     (_left, right), (bottom, top) = _PLACE
-    in_step = {"type": "line", "line": {"color": colors["primary"], "width": 1.5, "dash": "dash"}, "layer": "below"}
-    in_step |= {"x0": 0, "x1": 1, "y0": unit, "y1": unit}
+    dashed = {"color": colors["primary"], "width": 1.5, "dash": "dash"}
+    in_step = {"type": "line", "line": dashed, "layer": "below", "x0": 0, "x1": 1, "y0": unit, "y1": unit}
     domains = {"xref": "x domain", "yref": "y domain"}
     thin = {"line": {"color": colors["ink"], "width": 1}, "opacity": 0.5} | domains
     # Fractions of the panel, because a shape on a logarithmic axis has linear coordinates.

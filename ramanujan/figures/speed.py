@@ -2,6 +2,7 @@
 
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
+from typing import Any, NamedTuple
 
 import numpy as np
 
@@ -14,7 +15,8 @@ from ramanujan.translation import _, ngettext
 _NAMED = "<extra>%{fullData.name}</extra>"
 """The second hover box of Plotly, with the name of the curve."""
 _AFTER = _("after {periods} periods: {error}")
-_UPPER, _LOWER = {"domain": [0.54, 1.0]}, {"domain": [0.0, 0.46], "anchor": "x"}
+_UPPER: dict[str, Any] = {"domain": [0.54, 1.0]}
+_LOWER: dict[str, Any] = {"domain": [0.0, 0.46], "anchor": "x"}
 """The axes of two panels below each other."""
 _ENERGY_MOST, _PHASE_MOST = 0.5, 2
 """The largest exponents of ten on the axes. A curve with larger errors leaves the figure at the top."""
@@ -39,6 +41,18 @@ class Part:
     word: str
 
 
+class _Line(NamedTuple):
+    """A curve in a panel of `error_growth`: its points, and the width, dash and opacity of its line."""
+
+    name: str
+    color: str
+    periods: np.ndarray
+    errors: np.ndarray
+    width: float
+    opacity: float = 1.0
+    dash: str = "solid"
+
+
 def error_growth(
     curves: Mapping[str, Curve],
     chosen: str,
@@ -60,40 +74,38 @@ def error_growth(
     tones = {name: look_of(number, colors)[0] for number, name in enumerate(names)}
     # Draw the chosen method last, above the others.
     ordered = sorted(curves, key=lambda name: name == chosen)
-    closed = (_("closed form"), colors["ink"], exact[0], exact[1], {"width": 2, "dash": "dash"}, 1.0)
+    closed = _Line(_("closed form"), colors["ink"], exact[0], exact[1], width=2, dash="dash")
     ends = np.log10(
         [exact[0][0], exact[0][-1], *(end for reach, *_errors in curves.values() for end in reach[[0, -1]])]
     )
     x_range = float(ends.min()), float(ends.max())
-    traces, areas, shapes, axes = [], [], [], {}
+    traces, areas, shapes = [], [], []
+    axes: dict[str, Any] = {"xaxis": axis(_("periods"), x_range, type="log", dtick=1, anchor="y2")}
     for name_of_axis, place, title, most, kind in (
         ("y", _UPPER, _("energy error<br>|<i>E</i>/<i>E</i>₀ − 1|"), _ENERGY_MOST, 1),
         ("y2", _LOWER, _("phase error [rad]"), _PHASE_MOST, 2),
     ):
-        drawn = [
-            (name, tones[name], curves[name][0], curves[name][kind], {"width": width}, opacity)
-            for name in ordered
-            for width, opacity in [(4, 1.0) if name == chosen else (2, 0.8)]
-        ]
-        drawn += [closed] if name_of_axis == "y2" else []
-        drawn_axis, scale, low = logarithmic.axis_with_room(title, [curve[3] for curve in drawn], most)
-        for name, color, x, values, look, opacity in drawn:
-            own = {"name": name, "yaxis": name_of_axis, "opacity": opacity, "hovertemplate": hover}
-            own |= {"xhoverformat": ".4~g", "customdata": _written(values)}
-            traces.append(line(x, scale(values), color=color, **look) | own)
-        named = [(name, color, np.log10(x), scale(values)) for name, color, x, values, _look, _opacity in drawn]
-        room = tuple(drawn_axis["range"])
-        areas.append(Area(named, x_range, room, _HIGH * (place["domain"][1] - place["domain"][0]), name_of_axis))
-        zone = {"x0": 0, "x1": 1, "xref": "x domain", "y0": room[0], "y1": low, "yref": name_of_axis}
+        lines = []
+        for name in ordered:
+            width, opacity = (4, 1.0) if name == chosen else (2, 0.8)
+            lines.append(_Line(name, tones[name], curves[name][0], curves[name][kind], width, opacity))
+        if name_of_axis == "y2":
+            lines.append(closed)
+        drawn_axis, scale, low = logarithmic.axis_with_room(title, [curve.errors for curve in lines], most)
+        for curve in lines:
+            own = {"name": curve.name, "yaxis": name_of_axis, "opacity": curve.opacity, "hovertemplate": hover}
+            own |= {"xhoverformat": ".4~g", "customdata": _written(curve.errors)}
+            drawn = line(curve.periods, scale(curve.errors), color=curve.color, width=curve.width, dash=curve.dash)
+            traces.append(drawn | own)
+        named = [(curve.name, curve.color, np.log10(curve.periods), scale(curve.errors)) for curve in lines]
+        low_end, high_end = drawn_axis["range"]
+        low_share, high_share = place["domain"]
+        areas.append(Area(named, x_range, (low_end, high_end), _HIGH * (high_share - low_share), name_of_axis))
+        zone = {"x0": 0, "x1": 1, "xref": "x domain", "y0": low_end, "y1": low, "yref": name_of_axis}
         gray = {"type": "rect", "line": {"width": 0}, "fillcolor": colors["faint"], "opacity": 0.4, "layer": "below"}
         shapes.append(gray | zone)
         axes[f"yaxis{name_of_axis[1:]}"] = drawn_axis | place
-    more = axes | {
-        "xaxis": axis(_("periods"), x_range, type="log", dtick=1, anchor="y2"),
-        "annotations": beside(*areas),
-        "shapes": shapes,
-    }
-    return figure(traces, colors, _HIGH + 64, margin=_MARGIN, **more)
+    return figure(traces, colors, _HIGH + 64, margin=_MARGIN, annotations=beside(*areas), shapes=shapes, **axes)
 
 
 def work_precision(
@@ -125,28 +137,42 @@ def work_precision(
     for (name, dtype), (cost, error, steps) in curves.items():
         color, symbol = look_of(methods.index(name), colors)
         double = dtype == "float64"
-        look = (
-            {"color": color, "width": 2.5, "dash": "solid"} if double else {"color": color, "width": 1.5, "dash": "dot"}
-        )
-        own = {"mode": "lines+markers", "marker": {"symbol": symbol if double else f"{symbol}-open", "size": 8}}
-        own |= {"name": name, "text": [_steps(dtype, int(n)) for n in steps], "hovertemplate": f"%{{text}}<br>{hover}"}
-        # A click on a name in the legend hides the method in both precisions.
-        own |= {"customdata": _points(cost, error), "showlegend": double, "legendgroup": name}
-        traces.append(line(cost.astype(np.float32), within(error, shown), **look) | own)
-    for cost, error in tried:
-        mark = marks([cost], [error], "diamond-open", 11, colors["ink"], width=2)
-        traces.append(mark | {"customdata": _points([cost], [error]), "hovertemplate": hover, "showlegend": False})
-    for name, (cost, error, symbol, size, color) in singled.items():
-        mark = marks([cost], [max(error, shown[0])], symbol, size, colors[color], width=3)
-        traces.append(mark | {"name": name, "customdata": _points([cost], [error]), "hovertemplate": hover})
+        width, dash = (2.5, "solid") if double else (1.5, "dot")
+        drawn = line(cost.astype(np.float32), within(error, shown), color=color, width=width, dash=dash)
+        own: dict[str, Any] = {
+            "mode": "lines+markers",
+            "marker": {"symbol": symbol if double else f"{symbol}-open", "size": 8},
+            "name": name,
+            "text": [_steps(dtype, int(n)) for n in steps],
+            "hovertemplate": f"%{{text}}<br>{hover}",
+            "customdata": _points(cost, error),
+            # A click on a name in the legend hides the method in both precisions.
+            "showlegend": double,
+            "legendgroup": name,
+        }
+        traces.append(drawn | own)
+    for x, y in tried:
+        mark = marks([x], [y], "diamond-open", 11, colors["ink"], width=2)
+        traces.append(mark | {"customdata": _points([x], [y]), "hovertemplate": hover, "showlegend": False})
+    for name, (x, y, symbol, size, color) in singled.items():
+        mark = marks([x], [max(y, shown[0])], symbol, size, colors[color], width=3)
+        traces.append(mark | {"name": name, "customdata": _points([x], [y]), "hovertemplate": hover})
     reached = [end for cost, *_others in curves.values() for end in cost[[0, -1]]]
     reached += [cost for cost, *_others in (*singled.values(), *tried)]
     ends = min(reached), max(reached)
     traces.append(level_line(ends, tolerance, _("largest error allowed"), colors))
     x_range = float(np.log10(ends[0])) - 0.1, float(np.log10(ends[1])) + 0.1
     legend = {"orientation": "h", "x": 0, "y": 1.02, "yanchor": "bottom"}
-    axes = {"xaxis": axis(titles[0], x_range, type="log", dtick=1), "yaxis": log_axis(titles[1], shown)}
-    return figure(traces, colors, 544, margin=_MARGIN, showlegend=True, legend=legend, **axes)
+    return figure(
+        traces,
+        colors,
+        544,
+        margin=_MARGIN,
+        showlegend=True,
+        legend=legend,
+        xaxis=axis(titles[0], x_range, type="log", dtick=1),
+        yaxis=log_axis(titles[1], shown),
+    )
 
 
 def forms(strips: Mapping[str, Sequence[Part]], *, quantity: str, colors: Colors) -> Drawn:
@@ -185,8 +211,8 @@ def forms(strips: Mapping[str, Sequence[Part]], *, quantity: str, colors: Colors
     notes = [note(name, colors["ink"], start, row - _HALF_STRIP) | above for row, name in enumerate(strips)]
     hidden = {"visible": False, "range": [len(strips) - 0.65, -0.8], "fixedrange": True}
     x_axis = logarithmic.power_axis(quantity, start, end) | {"showgrid": False}
-    layout = {"margin": _MARGIN | {"l": 28}, "xaxis": x_axis, "yaxis": hidden, "annotations": notes}
-    return figure([bars], colors, 76 + _STRIP * len(strips), **layout)
+    height = 76 + _STRIP * len(strips)
+    return figure([bars], colors, height, margin=_MARGIN | {"l": 28}, xaxis=x_axis, yaxis=hidden, annotations=notes)
 
 
 def phase_errors(periods: Sequence[float], curves: Mapping[str, Sequence[float]], colors: Colors) -> Drawn:
@@ -202,16 +228,18 @@ def phase_errors(periods: Sequence[float], curves: Mapping[str, Sequence[float]]
     for (name, errors), look in zip(curves.items(), (1, 2, 3), strict=True):
         color, symbol = look_of(look, colors)
         own = {"name": name, "mode": "lines+markers", "marker": {"symbol": symbol, "size": 8}, "hovertemplate": hover}
-        own["customdata"] = _points(periods, errors)
-        traces.append(line(list(periods), list(errors), color=color, width=3) | own)
+        points = {"customdata": _points(periods, errors)}
+        traces.append(line(list(periods), list(errors), color=color, width=3) | own | points)
     lost = _("half a turn: phase lost")
     traces.append(level_line([periods[0], periods[-1]], np.pi, lost, colors))
     named = [
         (each["name"], each["line"]["color"], np.log10(each["x"]), logarithm(np.array(each["y"]))) for each in traces
     ]
-    x_range, y_axis = tuple(np.log10([periods[0], periods[-1]])), log_axis(_("phase error [rad]"), (1e-17, 200.0))
+    x_range = float(np.log10(periods[0])), float(np.log10(periods[-1]))
     x_axis = axis(_("periods"), x_range, type="log", dtick=3)
-    notes = beside(Area(named, x_range, tuple(y_axis["range"]), 320))
+    y_axis = log_axis(_("phase error [rad]"), (1e-17, 200.0))
+    low, high = y_axis["range"]
+    notes = beside(Area(named, x_range, (low, high), 320))
     return figure(traces, colors, 384, margin=_MARGIN, xaxis=x_axis, yaxis=y_axis, annotations=notes)
 
 

@@ -4,6 +4,7 @@ import csv
 import io
 from collections.abc import Iterable, Iterator
 from datetime import UTC, datetime
+from typing import NamedTuple
 
 from ramanujan import lesson
 from ramanujan.lesson.class_states import ClassResult
@@ -21,9 +22,11 @@ def as_csv(results: Iterable[ClassResult]) -> str:
     text = io.StringIO()
     writer = csv.writer(text, lineterminator="\n")
     writer.writerow(HEADER)
-    for stop, heading, at, present, option, label, is_right, *votes in _rows(results):
-        answer = {True: "yes", False: "no"}.get(is_right, "")
-        writer.writerow((stop, heading, at.isoformat(timespec="seconds"), present, option, label, answer, *votes))
+    for row in _rows(results):
+        answer = {True: "yes", False: "no", None: ""}[row.is_right]
+        at = row.at.isoformat(timespec="seconds")
+        # The writer leaves the cell of None empty.
+        writer.writerow((row.stop, row.heading, at, row.present, row.option, row.label, answer, row.first, row.second))
     return text.getvalue()
 
 
@@ -40,23 +43,49 @@ def as_spreadsheet(results: Iterable[ClassResult]) -> str:
         _("Votes after the discussion"),
     )
     rows: list[tuple[Cell, ...]] = [header]
-    for _stop, heading, at, present, _option, label, is_right, *votes in _rows(results):
-        rows.append((heading, f"{at:%Y-%m-%d %H:%M:%S}", present, label, is_right, *votes))
+    for row in _rows(results):
+        asked_at = f"{row.at:%Y-%m-%d %H:%M:%S}"
+        is_right = "" if row.is_right is None else row.is_right
+        second = "" if row.second is None else row.second
+        rows.append((row.heading, asked_at, row.present, row.label, is_right, row.first, second))
     return spreadsheet(rows)
 
 
-def _rows(results: Iterable[ClassResult]) -> Iterator[tuple]:
-    """Yield stop, heading, time, students present, option, label, whether it is right, and the votes.
+class _Row(NamedTuple):
+    """The votes for one option of a question, with the fields of HEADER.
+
+    `is_right` is None for an unknown stop, `second` is None if the class voted once.
+    """
+
+    stop: str
+    heading: str
+    at: datetime
+    present: int
+    option: str
+    label: str
+    is_right: bool | None
+    first: int
+    second: int | None
+
+
+def _rows(results: Iterable[ClassResult]) -> Iterator[_Row]:
+    """Yield a row for each option of each question.
 
     The class may have begun in another version of the app, with other stops. For an unknown stop the ids replace
-    heading and labels, and the field of the right answer is empty.
+    heading and labels.
     """
     for result in results:
         at = datetime.fromtimestamp(result.at, UTC)
         stop = lesson.stop(result.stop) if lesson.has_stop(result.stop) else None
         for option, first in result.first.items():
-            second = "" if result.second is None else result.second[option]
-            heading, label, is_right = result.stop, option, ""
-            if stop:
-                heading, label, is_right = stop.heading, stop.options[option], option == stop.right
-            yield result.stop, heading, at, result.present, option, label, is_right, first, second
+            yield _Row(
+                stop=result.stop,
+                heading=stop.heading if stop else result.stop,
+                at=at,
+                present=result.present,
+                option=option,
+                label=stop.options[option] if stop else option,
+                is_right=option == stop.right if stop else None,
+                first=first,
+                second=None if result.second is None else result.second[option],
+            )

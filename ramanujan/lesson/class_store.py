@@ -141,9 +141,10 @@ class Store:
 
     @contextmanager
     def _errors_as_sentences(self) -> Iterator[None]:
+        failures: tuple[type[Exception], ...] = (*self.errors, OSError)
         try:
             yield
-        except (*self.errors, OSError) as error:
+        except failures as error:
             _LOG.warning("The database of the classes: %s", error)
             if isinstance(error, OSError):
                 sentence = _(
@@ -256,7 +257,7 @@ class PostgresStore(Store):
         connection = self._psycopg.connect(self._address, autocommit=True, connect_timeout=3)
         with self._transaction(connection):
             connection.execute("CREATE TABLE IF NOT EXISTS schema_number (number INTEGER NOT NULL)")
-            schema = connection.execute("SELECT COALESCE(MAX(number), 0) FROM schema_number").fetchone()[0]
+            [(schema,)] = connection.execute("SELECT COALESCE(MAX(number), 0) FROM schema_number").fetchall()
             if schema < len(_UPGRADES):
                 _upgrade(connection, schema)
                 connection.execute("INSERT INTO schema_number VALUES (%s)", (len(_UPGRADES),))

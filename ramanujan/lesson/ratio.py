@@ -94,10 +94,10 @@ def _between(name: str) -> dict[str, object]:
 
 def _outside(name: str) -> str:
     """Return the reply to a bracket that does not enclose the mass ratio in step."""
-    numbers = _between(name)
     too_fast = _("Ω²m/k is {fast:4} at ε = {low} and {slow:4} at ε = {high}: too fast at both. Which way must ε go?")
     too_slow = _("Ω²m/k is {fast:4} at ε = {low} and {slow:4} at ε = {high}: too slow at both. Which way must ε go?")
-    return filled(too_fast if numbers["slow"] >= 1 else too_slow, **numbers)
+    _low, high = BRACKETS[name]
+    return filled(too_fast if normalized(high) >= 1 else too_slow, **_between(name))
 
 
 def _by_hand() -> str:

@@ -116,7 +116,7 @@ class BodyChoice:
 
     Parameters
     ----------
-    left, right, top : the two lower rollers (in any order) and the top body, names in BODIES or β
+    left, right, top : the two lower rollers (in any order) and the top body, names in BODIES
     target : w = Ω²m/k, dimensionless; with numerator and denominator up to 1000 the discriminant of a machine
         built from BODIES can always be factored
 
@@ -128,9 +128,9 @@ class BodyChoice:
     1729
     """
 
-    left: ShapeFactor = "hoop"
-    right: ShapeFactor = "cylinder"
-    top: ShapeFactor = "cylinder"
+    left: str = "hoop"
+    right: str = "cylinder"
+    top: str = "cylinder"
     target: int | Fraction = Fraction(1)
 
     def __post_init__(self) -> None:
@@ -141,7 +141,7 @@ class BodyChoice:
         self.quadratic  # noqa: B018
 
     @property
-    def bodies(self) -> tuple[ShapeFactor, ShapeFactor, ShapeFactor]:
+    def bodies(self) -> tuple[str, str, str]:
         """(left, right, top), in the order of the shape factors β_a, β_b, β_c."""
         return self.left, self.right, self.top
 

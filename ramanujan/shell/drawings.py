@@ -40,11 +40,17 @@ def plot(figure: BaseFigure, key: str, alt: str, *, config: dict[str, Any] = STI
     alt : its text alternative
     config, options : arguments of Plotly and of `st.plotly_chart`
     """
-    height = "content"
-    if display_mode.is_projector():
-        figure, height = in_large_print(figure), "stretch"
+    is_projector = display_mode.is_projector()
     saved = {"toImageButtonOptions": {"format": "svg", "filename": f"ramanujan-{key}", "scale": 3}}
-    st.plotly_chart(figure, key=key, theme=None, height=height, config=_LOCALE | saved | config, alt=alt, **options)
+    st.plotly_chart(
+        in_large_print(figure) if is_projector else figure,
+        height="stretch" if is_projector else "content",
+        theme=None,
+        key=key,
+        config=_LOCALE | saved | config,
+        alt=alt,
+        **options,
+    )
 
 
 def draw(svg: str, *, alt: str, style: str) -> None:

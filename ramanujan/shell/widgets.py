@@ -2,7 +2,7 @@
 
 import string
 from collections.abc import Callable, Mapping, Sequence
-from typing import Any
+from typing import Any, Literal
 
 import streamlit as st
 
@@ -36,14 +36,23 @@ def select_slider(key: Choice, label: str, words: Words | None = None, **more: A
 
 
 def _choice(draw: Callable, key: Choice, label: str, words: Words | None, **more: Any) -> Any:
-    words = words or (key.options if isinstance(key.options, Mapping) else {})
+    words = words or _labels(key)
     # A page that remained open may send an option that no longer exists.
     options = {"options": list(key.options), "format_func": lambda option: words.get(option, str(option))}
     draw(label, **options, key=key.name, persist_state="session", **more)
     return address.keep(key)
 
 
-def beside(widths: int | Sequence[float], *draw: Callable[[], Any], alignment: str = "top") -> list[Any]:
+def _labels(key: Choice) -> Words:
+    """Return option → label, without content if the options have no labels."""
+    return key.options if isinstance(key.options, Mapping) else {}
+
+
+def beside(
+    widths: int | Sequence[float],
+    *draw: Callable[[], Any],
+    alignment: Literal["top", "center", "bottom"] = "top",
+) -> list[Any]:
     """Draw widgets in columns, or below each other in a single column, and return their values."""
     columns = st.columns(widths, vertical_alignment=alignment)
     values = []
@@ -53,7 +62,7 @@ def beside(widths: int | Sequence[float], *draw: Callable[[], Any], alignment: s
     return values
 
 
-def count(key: Count, label: str, *, step: int = 1, width: int | str = "stretch") -> int:
+def count(key: Count, label: str, *, step: int = 1, width: int | Literal["stretch"] = "stretch") -> int:
     """Draw a box for a whole number, with its range. Streamlit's own box shows the range only after it is left."""
     label = _("{label} ({least}\u00a0to\u00a0{most})").format(label=label, least=key.least, most=key.most)
     st.number_input(label, key.least, key.most, key.default, step, key=key.name, persist_state="session", width=width)
@@ -120,7 +129,7 @@ def hints_shown(name: str) -> int:
 
 def tabs(key: Choice) -> dict[str, Any]:
     """Draw tabs and return them by the ids of their options. Only the open tab needs content."""
-    words: Words = key.options
+    words = _labels(key)
     widget, ids = f"{key.name}_tabs", {label: option for option, label in words.items()}
 
     def chosen() -> None:

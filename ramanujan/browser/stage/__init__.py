@@ -106,8 +106,12 @@ def payload(
     slipping : the contact to mark, such as hoop_slab
     """
     shapes = {f"beta_{name}": float(shape_factors[name]) for name in SHAPE_FACTORS}
-    optional = {"initial": initial and asdict(initial), "samples": samples, "computed": computed}
-    optional |= {"slipping": slipping}
+    optional: dict[str, Any] = {
+        "initial": initial and asdict(initial),
+        "samples": samples,
+        "computed": computed,
+        "slipping": slipping,
+    }
     return {
         "version": VERSION,
         "parameters": {**asdict(oscillator), "compression": compression, **shapes},

@@ -13,7 +13,7 @@ import posixpath
 import re
 from base64 import b64encode
 from collections.abc import Iterator
-from functools import cache
+from functools import cache, partial
 from hashlib import sha256
 from html import escape
 from pathlib import Path
@@ -87,7 +87,7 @@ def _imports() -> dict[str, str]:
         script = _COMMENT.sub("", contents[name])
         imported = [_resolved(name, path) for _start, _mark, path in _IMPORT.findall(script)]
         waiting += [each for each in imported if each in contents]
-        addresses[f"ramanujan/{name}"] = _address(_IMPORT.sub(lambda match, name=name: _absolute(name, match), script))
+        addresses[f"ramanujan/{name}"] = _address(_IMPORT.sub(partial(_absolute, name), script))
     return addresses
 
 

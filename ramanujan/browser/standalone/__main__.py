@@ -17,8 +17,7 @@ def main() -> None:
         os.execve(sys.executable, [sys.executable, "-m", "ramanujan.browser.standalone"], environment)
     from ramanujan.browser.standalone import html
 
-    sys.stdout.reconfigure(encoding="utf-8")
-    print(html())
+    sys.stdout.buffer.write(f"{html()}\n".encode())
 
 
 if __name__ == "__main__":

@@ -56,13 +56,13 @@ def three_modes(numbers: Numbers | None) -> None:
             ),
         ),
     )
-    for column, (key, title, words), shape in zip(st.columns(3), shown, shapes, strict=True):
+    for column, (key, title, explanation), shape in zip(st.columns(3), shown, shapes, strict=True):
         with column:
             stages.mount(
                 None, key=f"mode_{key}", clock="modes", layers=(), compact=True, label=title, address_prefix="modes_"
             )
             st.latex(shape)
-            st.markdown(words)
+            st.markdown(explanation)
     tell_modes()
 
 

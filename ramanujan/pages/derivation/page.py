@@ -1,6 +1,7 @@
 """Page 2: the routes from the machine to Ω², its three modes, and questions with typed formulas."""
 
 from dataclasses import dataclass, replace
+from typing import Any
 
 import streamlit as st
 
@@ -117,7 +118,7 @@ def present() -> Numbers:
 
 def choose() -> None:
     """Draw the options. All but the route are in a popover."""
-    hidden = {"label_visibility": "collapsed"}
+    hidden: dict[str, Any] = {"label_visibility": "collapsed"}
     titles = {name: cache.route(name).title for name in ROUTE.options}
     widgets.selectbox(ROUTE, _("Route"), titles, on_change=start_over, **hidden)
     with st.popover(_("Show"), icon=":material/tune:", key="more"):
@@ -186,7 +187,7 @@ def draw(setting: Setting, number: int) -> None:
     """Draw a step, counted from 1."""
     colors = theme.colors()
     inks = (*((part, colors[f"{part}_ink"]) for part in PARTS), ("cube", colors["primary"]))
-    heading, reason, *equations = cache.step(
+    heading, reason, wide, narrow = cache.step(
         setting.route,
         number - 1,
         setting.numbers,
@@ -200,7 +201,7 @@ def draw(setting: Setting, number: int) -> None:
             stacks()
     st.markdown(f"## {number}. {heading}\n\n{reason}")
     asked = () if setting.numbers or setting.equal_masses else cache.asked_in(setting.route, number - 1)
-    result(f"{setting.route}_{number}", *equations, asked if not display_mode.is_projector() else ())
+    result(f"{setting.route}_{number}", wide, narrow, asked if not display_mode.is_projector() else ())
     if is_last:
         onward = navigation.PAGES["taxicab"]
         with st.container(key="onward"):

@@ -110,10 +110,10 @@ def draw(stop: Stop, number: int) -> None:
     with slide("question", stop.heading):
         # In the projector view the question needs the full width, but an exhibit needs the full height.
         above = st.container() if display_mode.is_projector() and not stop.exhibit else None
-        if apart:
-            words = picture = reason = st.container()
-        else:
+        if not apart:
             words, picture, reason = places(stop, running)
+        else:
+            words = picture = reason = st.container()
         with above or words, st.container(key="posed"):
             st.title(f"{number}. {stop.heading}", anchor=False)
             st.markdown(stop.question)

@@ -37,9 +37,16 @@ CONTACTS = {
 """Contact → the two bodies that touch there."""
 _CM = 100.0
 # Hoop and lower cylinder move together: one line is broad, the other dashed on top of it, with one common label.
-_LINES = {"hoop": {"width": 5.0, "label": _("lower<br>rollers")}, "cylinder": {"dash": "6px 6px", "label": ""}}
+_LINES: dict[str, dict[str, Any]] = {
+    "hoop": {"width": 5.0, "label": _("lower<br>rollers")},
+    "cylinder": {"dash": "6px 6px", "label": ""},
+}
 _ENERGIES = {"": _("{body}"), "translation": _("{body}, translation"), "rotation": _("{body}, rotation")}
 """Kind of energy → template for the name of a body's energy."""
+
+
+Setting = tuple[Oscillator, float, float, float]
+"""The machine, the compression, and the initial velocities `glide` and `spin`, as for `record`."""
 
 
 def energy_name(key: str) -> str:
@@ -63,9 +70,11 @@ def record(machine: Oscillator, compression: float, glide: float, spin: float) -
 
 
 @st.cache_resource(show_spinner=False, max_entries=64)
-def figures(view: str, light_or_dark: str, *setting: Oscillator | float) -> tuple[Drawn, ...]:
-    """Return the figures of a view, a key of `VIEWS`, in the current theme; `setting` as for `record`."""
-    motion, colors = record(*setting), theme.colors()
+def figures(
+    view: str, light_or_dark: str, machine: Oscillator, compression: float, glide: float, spin: float
+) -> tuple[Drawn, ...]:
+    """Return the figures of a view, a key of `VIEWS`, in the current theme; the other parameters as for `record`."""
+    motion, colors = record(machine, compression, glide, spin), theme.colors()
     return tuple(draw(motion, colors) for draw in VIEWS[view])
 
 

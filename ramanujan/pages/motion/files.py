@@ -2,6 +2,8 @@
 
 from collections.abc import Iterable
 
+import numpy as np
+
 from ramanujan.contact import largest_compression, required_friction
 from ramanujan.derivation.energies import PARTS
 from ramanujan.pages.motion import cache
@@ -26,9 +28,9 @@ def sheet(motion: Record, friction_coefficient: float, settings: Iterable[tuple[
     return spreadsheet([[title], *head, [], list(series), *values])
 
 
-def columns(motion: Record) -> dict[str, Iterable[float]]:
+def columns(motion: Record) -> dict[str, np.ndarray]:
     """Return every series of a record under a header with its unit, time first, as `record.columns` orders them."""
-    series = {"t [s]": motion.t}
+    series: dict[str, np.ndarray] = {"t [s]": motion.t}
     series |= dict(zip(("X [m]", "φ [rad]", "Φ [rad]"), motion.q, strict=True))
     series |= dict(zip(("Ẋ [m/s]", "φ̇ [rad/s]", "Φ̇ [rad/s]"), motion.q_dot, strict=True))
     energies = {cache.energy_name(key): values for key, values in motion.energies.items()}

@@ -5,7 +5,6 @@ from functools import partial
 import numpy as np
 import streamlit as st
 
-from ramanujan import Oscillator
 from ramanujan.browser import components, stage
 from ramanujan.contact import first_to_slip, largest_compression
 from ramanujan.numerals import filled, fixed, quantity
@@ -137,7 +136,7 @@ def download(motion: Record, mu: float) -> None:
     )
 
 
-def the_figures(motion: Record, friction: Friction, setting: tuple[Oscillator | float, ...]) -> None:
+def the_figures(motion: Record, friction: Friction, setting: cache.Setting) -> None:
     """Draw the figures of the open view, or in the projector view a slide for each view."""
     projector = display_mode.is_projector()
     shows = {"displacements": plots.show_displacements, "energy": plots.show_energy, "momentum": plots.show_momentum}

@@ -70,18 +70,22 @@ def show_displacements(motion: Record, drawn: tuple) -> None:
             "cylinder relative to it."
         )
         sentences.append(filled(sentence, block=block, top=top))
-    plane, *modes = sentences
-    for place, said in zip(columns("displacements"), (" ".join(modes), plane), strict=True):
-        with place:
-            st.caption(said)
+    about_plane, *about_modes = sentences
+    for column, text in zip(columns("displacements"), (" ".join(about_modes), about_plane), strict=True):
+        with column:
+            st.caption(text)
 
 
 def show_energy(motion: Record, drawn: tuple) -> None:
     """Draw the energies, stacked."""
     total = motion.total_energy
     spread = max(float(abs(total - total[0]).max() / total[0]), np.finfo(float).eps)
-    kinetic = {body: sum(motion.energies[key] for key in motion.energies if key.startswith(body)) for body in PARTS}
-    greatest = max((body for body in PARTS if body != "spring"), key=lambda body: kinetic[body].max())
+    peaks = {}
+    for body in PARTS:
+        if body != "spring":
+            kinds = [energy for key, energy in motion.energies.items() if key.startswith(body)]
+            peaks[body] = float(np.sum(kinds, axis=0).max())
+    greatest = max(peaks, key=peaks.__getitem__)
     sees = _(
         "Energies of all bodies, stacked: energy passes between the spring and the bodies, and the sum stays at "
         "{total:4 mJ}. No other body ever has as much kinetic energy as this one: {body}."

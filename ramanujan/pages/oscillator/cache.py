@@ -37,7 +37,7 @@ def curve() -> Curve:
     headline = f'<span style="font-size: 1.8em; font-weight: 700">{discriminant()}</span>'
     return Curve(
         ratios,
-        normalized_frequency_squared(ratios),
+        np.asarray(normalized_frequency_squared(ratios)),
         float(light),
         str(light),
         sp.lambdify(epsilon, heavy, "numpy")(ratios),

@@ -104,7 +104,7 @@ def cost_diagram(periods: int, by: str, tolerance: float) -> None:
     sees = _("Work–precision diagram: the error of each method falls as its cost rises. {finding}")
     with figure:
         drawings.plot(drawn, "work_precision", sees.format(finding=sentence.replace("**", "")))
-    spread = float(np.median([(curve.step.high - curve.step.low) / curve.step.median for curve in curves]))
+    spread = float(np.median([curve.spread for curve in curves]))
     with words:
         if steeper := verdicts.order_and_slope(curves, cache.run):
             st.markdown(steeper)

@@ -145,7 +145,7 @@ def what_the_app_uses() -> None:
         machines=own.x.size,
         error=own.worst_right_ulp,
         integers_error=drawn["integers"].worst_right_ulp,
-        **{kind: duration(seconds) for kind, seconds in found.arithmetics.items() if kind not in DIGITS},
+        **{kind: duration(seconds) for kind, seconds in found.arithmetics.items() if isinstance(kind, str)},
         few=duration(found.arithmetics[DIGITS[0]]),
         few_digits=DIGITS[0],
         many=duration(found.arithmetics[DIGITS[-1]]),

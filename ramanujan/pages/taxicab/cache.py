@@ -105,7 +105,7 @@ def quotients(terms: int = 12) -> list[int]:
 def curve(least: float, most: float) -> tuple[np.ndarray, np.ndarray]:
     """Return mass ratios and Ω²m/k of the paper's machine between two mass ratios."""
     ratios = np.geomspace(least, most, 121)
-    return ratios, normalized_frequency_squared(ratios)
+    return ratios, np.asarray(normalized_frequency_squared(ratios))
 
 
 @st.cache_resource(show_spinner=False)

@@ -139,7 +139,8 @@ def forty_machines(chosen: BodyChoice) -> None:
     """Draw all machines in one figure."""
     machines, columns = cache.machines(), list(BODIES)
     pairs = [machine.bodies[:2] for machine in machines[:: len(columns)]]
-    place = pairs.index(tuple(sorted(chosen.bodies[:2], key=columns.index))), columns.index(chosen.top)
+    left, right = sorted(chosen.bodies[:2], key=columns.index)
+    place = pairs.index((left, right)), columns.index(chosen.top)
     best = max(machines, key=lambda machine: len(machine.cubes))
     one, other = (machine.discriminant for machine in machines if len(machine.cubes) == 1)
     facts = {"count": len(machines), "best": best.discriminant, "one": one, "other": other}

@@ -71,7 +71,7 @@ def the_curve() -> None:
     if display_mode.hides("curve", "numbers"):
         return
     story, machine = _reached(), sidebar.oscillator()
-    target: Fraction = story.machine.target
+    target = story.machine.target
     present = machine.mass_ratio, machine.normalized_frequency_squared
     level, ratio = f"Ω²m/k = {target}", number(story.ratio, 10)
     figure = figures.level_crossing(

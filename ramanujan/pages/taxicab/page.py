@@ -87,7 +87,9 @@ def digits_and_fractions() -> None:
 
 def practical_ratios() -> list[tuple[str, ...]]:
     """Return the table of ratios for the workshop."""
-    rows = [(_("ratio $\\varepsilon$"), _("error $\\Omega^2m/k-1$"), _("one full turn apart after"))]
+    rows: list[tuple[str, ...]] = [
+        (_("ratio $\\varepsilon$"), _("error $\\Omega^2m/k-1$"), _("one full turn apart after"))
+    ]
     for ratio, error, periods in cache.practical_machines():
         lasting = ngettext("{n} period", "{n} periods", round(periods)).format(n=number(round(periods), 4))
         shown = f"{error.numerator}/{error.denominator}\\approx{scientific(error)}"

@@ -33,11 +33,13 @@ _EXAMPLE = _("For example {entry}")
 def draw(task: Task) -> TaskVerdict:
     """Draw a task, and return its progress."""
     with slide("task", task.heading):
-        words = picture = st.container(key="beside" if task.stage else None)
+        place = st.container(key="beside" if task.stage else None)
         if task.stage and is_projector():
             picture, words = picture_and_words()
         elif task.stage:
-            words, picture = words.columns(2, gap="medium")
+            words, picture = place.columns(2, gap="medium")
+        else:
+            words = picture = place
         with words, st.container(key="posed"):
             st.title(task.heading, anchor=False)
             st.markdown(task.text)
