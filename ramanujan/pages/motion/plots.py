@@ -9,6 +9,7 @@ from ramanujan.contact import required_friction
 from ramanujan.derivation.energies import PARTS
 from ramanujan.derivation.model import MOMENTA
 from ramanujan.derivation.printers import latex
+from ramanujan.figures import Drawn
 from ramanujan.figures.motion import friction_bars
 from ramanujan.numerals import filled, fixed, quantity
 from ramanujan.pages.motion import cache
@@ -27,7 +28,7 @@ class Friction:
     first: str
 
 
-def show_displacements(motion: Record, drawn: tuple) -> None:
+def show_displacements(motion: Record, drawn: tuple[Drawn, ...]) -> None:
     """Draw displacements over time and the phase plane, and explain the two initial velocities."""
     time, plane = st.columns([3, 2])
     farthest = {
@@ -76,7 +77,7 @@ def show_displacements(motion: Record, drawn: tuple) -> None:
             st.caption(text)
 
 
-def show_energy(motion: Record, drawn: tuple) -> None:
+def show_energy(motion: Record, drawn: tuple[Drawn, ...]) -> None:
     """Draw the energies, stacked."""
     total = motion.total_energy
     spread = max(float(abs(total - total[0]).max() / total[0]), np.finfo(float).eps)
@@ -107,7 +108,7 @@ def show_energy(motion: Record, drawn: tuple) -> None:
         st.caption(filled(" ".join(sentences), total=1e3 * total[0], error=spread, spring=spring))
 
 
-def show_momentum(motion: Record, drawn: tuple) -> None:
+def show_momentum(motion: Record, drawn: tuple[Drawn, ...]) -> None:
     """Draw the momenta of the bodies and the two conserved momenta."""
     p_X, p_Phi = (float(motion.momenta[name][0]) for name in ("p_X", "p_Phi"))
     of_X, _of_phi, of_Phi = map(latex, MOMENTA)
@@ -128,7 +129,7 @@ def show_momentum(motion: Record, drawn: tuple) -> None:
         st.caption(sentence.format(p_X=of_X, p_Phi=of_Phi))
 
 
-def show_forces(motion: Record, drawn: tuple, friction: Friction) -> None:
+def show_forces(motion: Record, drawn: tuple[Drawn, ...], friction: Friction) -> None:
     """Draw contact forces over time, and the friction that each contact needs."""
     time, bars = st.columns([3, 2])
     with time:
@@ -137,7 +138,7 @@ def show_forces(motion: Record, drawn: tuple, friction: Friction) -> None:
         friction_needed(motion, friction)
 
 
-def forces_over_time(motion: Record, drawn: tuple) -> None:
+def forces_over_time(motion: Record, drawn: tuple[Drawn, ...]) -> None:
     """Draw contact forces over time."""
     strongest = {name: float(abs(force).max()) for name, force in motion.forces.items() if name in cache.CONTACTS}
     sees = _(
@@ -183,7 +184,7 @@ def friction_needed(motion: Record, friction: Friction) -> None:
     about_friction()
 
 
-def chart(figure: object, name: str, alt: str) -> None:
+def chart(figure: Drawn, name: str, alt: str) -> None:
     """Draw a figure with Plotly's legend, hover and zoom."""
     drawings.plot(figure, f"figure_{name}", alt, config={"displaylogo": False})
 
