@@ -81,12 +81,14 @@ def test_the_file_is_small(file):
 
 
 def test_the_file_runs_from_disk(window, file):
-    """The address sets the machine; boxes accept fractions and commas, and reject other texts with a message."""
-    page = opened(window(), f"{file.as_uri()}#m_prime=9/8&k=20,5&x=1&m=9")
+    """The address sets the machine; boxes accept fractions and commas. Invalid texts cause a message."""
+    page = opened(window(), f"{file.as_uri()}#m_prime=9/8&k=20,5&m=9&x=1&speed=7&from=block")
     seen = page.evaluate(READ)
     assert seen["drawn"]["ratio"] == 1.125
     assert seen["drawn"]["parameters"]["k"] == 20.5
-    assert seen["note"].startswith("The value of m in the address was ignored")
+    for sentence in ("The value of m in the address", "The value of speed in the address", "this page does not know"):
+        assert sentence in seen["note"]
+    page.wait_for_function("location.hash === '#m_prime=1.125&k=20.5&from=block'")
     page.evaluate(TYPE, ["m_prime", "5/6"])
     seen = page.evaluate(READ)
     assert seen["drawn"]["normalized"] == pytest.approx(9 / 8, rel=1e-15)
@@ -100,6 +102,28 @@ def test_the_file_runs_from_disk(window, file):
     page.evaluate("document.querySelector('.st-key-story > div').shadowRoot.querySelector('button').click()")
     page.wait_for_function("Math.abs(ramanujan.last('drawn/oscillator').normalized - 1) < 1e-14")
     page.wait_for_function("location.hash.includes('m_prime=1.127')")
+
+
+def test_a_saved_file_begins_with_its_settings(window, file, tmp_path):
+    """A link to the changed machine opens it, also if all values are the defaults."""
+    saved, page = tmp_path / "saved.html", window()
+
+    def save(settings: str) -> str:
+        text = file.read_text(encoding="utf-8").replace('data-standalone=""', f'data-standalone="{settings}"', 1)
+        saved.write_text(text, encoding="utf-8")
+        return saved.as_uri()
+
+    opened(page, save("k=20.5&amp;layers=energy"))
+    assert page.evaluate(READ)["drawn"]["parameters"]["k"] == 20.5
+    assert page.evaluate(f"{STAGE}.querySelector('[data-layer=energy] input').checked")
+    page.goto("about:blank")
+    opened(page, save("k=20.5"))
+    page.evaluate(TYPE, ["k", "10"])
+    page.wait_for_function("location.hash === ''")
+    link = page.evaluate("location.href")
+    page.goto("about:blank")
+    opened(page, link)
+    assert page.evaluate(READ)["drawn"]["parameters"]["k"] == 10
 
 
 @pytest.mark.parametrize("engine", ["chromium"])
@@ -174,7 +198,7 @@ def test_a_box_reads_the_same_numbers_as_the_app(window, file, engine):
         "12,500",
         "0,500",
         "1,500/2",
-        "1" * 61,
+        "2/1.500",
     ]
     page = opened(window(), file.as_uri())
     both = "texts.map((text) => [it.readNumber(text), it.twoReadings(text)])"

@@ -28,6 +28,9 @@ PRIVATE = ("lecturer", "key", "exercise_key", "frame")
 *Copy link* omits them.
 """
 
+UNKNOWN = _("The address contains a setting that this page does not know. It was ignored.")
+"""Message about a parameter of no page."""
+
 _THIS_COMPUTER = ("localhost", "127.0.0.1", "::1")
 _EVERYWHERE = (None, "", "0.0.0.0", "::")
 """Values of Streamlit's option `server.address` for which the app listens in every network of its computer."""
@@ -299,7 +302,7 @@ def _remove_unknown(names: Iterable[str], met: Mapping[str, bool]) -> list[str]:
     if not unknown - met.keys() or st.session_state.get(_WARNED):
         return []
     st.session_state[_WARNED] = True
-    return [_("The address contains a setting that this page does not know. It was ignored.")]
+    return [UNKNOWN]
 
 
 def _goes_back() -> bool:

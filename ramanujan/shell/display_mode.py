@@ -12,6 +12,7 @@ import streamlit as st
 
 from ramanujan.browser import components, stage
 from ramanujan.shell import address
+from ramanujan.shell.parameters import PARAMETERS
 from ramanujan.translation import _
 
 PARTS = {**stage.PARTS, "curve": "the curve of Ω²m/k over the mass ratio", "steps": "the derivation in six steps"}
@@ -21,7 +22,7 @@ HIDE = address.Several("hide", tuple(PARTS))
 SLIDE = address.Text(
     "slide", "[a-z0-9_]{1,40}", _("The value of {name} in the address was ignored: it must be a short name.")
 )
-STANDALONE = ("m", "m_prime", "k", "compression", "radius", "layers", "speed", "from", "paused")
+STANDALONE = (*PARAMETERS, "layers", "speed", "from", "paused")
 """URL parameters of the standalone file."""
 _PAGE = "display_page"
 URL_PARAMETERS = (VIEW, HIDE, SLIDE)

@@ -77,7 +77,7 @@ def publish(key: str, topics: Mapping[str, Any]) -> Any:
     return modules.component("components/publish")(key=key, data=dict(topics))
 
 
-def story(stage: str, slider: str, ratio: float, script: Mapping[str, Any], words: Mapping[str, str]) -> Any:
+def story(data: Mapping[str, Any]) -> Any:
     """Put a button on the page that starts a story: it moves a slider until a stage's machine is in step.
 
     The page moves the slider, and sends only the last value. As soon as the slider has reached the ratio, in the story
@@ -85,26 +85,19 @@ def story(stage: str, slider: str, ratio: float, script: Mapping[str, Any], word
 
     Parameters
     ----------
-    stage : name of the stage
-    slider : key of the slider of m′
-    ratio : ε = m′/m of the machine in step
-    script :
+    data :
+        stage : name of the stage
+        slider : key of the slider of m′
+        ratio : ε = m′/m of the machine in step
         openings : lists of scenes {sentence, ratios, periods}; the first one in the slider's range is used
         rest : the scenes that follow
         pace : seconds of a period of the plain mass
         stills : {label, turns} of each clock for a reader who prefers reduced motion
         marked : whether the slider marks the ratio from the start
-    words : ratio, a template for ε; there, the sentence in step; stills, the sentence above the clocks; mark, begin,
-        again, stop, hint
+        words : ratio, a template for ε; there, the sentence in step; stills, the sentence above the clocks; mark,
+            begin, again, stop, hint
     """
-    return modules.component("components/story")(key="story", data=story_data(stage, slider, ratio, script, words))
-
-
-def story_data(
-    stage: str, slider: str, ratio: float, script: Mapping[str, Any], words: Mapping[str, str]
-) -> dict[str, Any]:
-    """Return the data of the component `story`. The parameters are the same."""
-    return {"stage": stage, "slider": slider, "ratio": ratio, "words": words, **script}
+    return modules.component("components/story")(key="story", data=dict(data))
 
 
 def cubes(sums: Sequence[Sequence[int]], alternatives: Sequence[str], captions: Sequence[str]) -> Any:

@@ -112,8 +112,9 @@ export const dom = {
     const settings = dom.settings();
     for (const [key, value, byDefault] of entries) value === byDefault ? settings.delete(key) : settings.set(key, value);
     const url = new URL(location.href);
-    url[STANDALONE ? "hash" : "search"] = settings;
-    history.replaceState(history.state, "", url);
+    url.search = settings;
+    // An empty # differs from no #: a saved file then begins with the defaults.
+    history.replaceState(history.state, "", STANDALONE ? `#${settings}` : url);
   },
 
   /**

@@ -13,7 +13,6 @@ import posixpath
 import re
 from base64 import b64encode
 from collections.abc import Iterator
-from functools import cache, partial
 from hashlib import sha256
 from html import escape
 from pathlib import Path
@@ -24,12 +23,13 @@ from urllib.parse import quote
 from latex2mathml.converter import convert
 
 from ramanujan import Oscillator
-from ramanujan.browser import components, modules, stage
+from ramanujan.browser import modules, stage
 from ramanujan.figures import MASS_RATIO
 from ramanujan.figures.oscillator import limit_labels
 from ramanujan.pages.oscillator import cache as first_page
 from ramanujan.pages.oscillator import story, texts
-from ramanujan.shell import widgets
+from ramanujan.shell import address, stages, widgets
+from ramanujan.shell.address import URLParameter
 from ramanujan.shell.parameters import PARAMETERS, SENTENCES, WATCH, Parameter
 from ramanujan.translation import LANGUAGE, _
 
@@ -37,7 +37,8 @@ _HERE = Path(__file__).parent
 _MARKUP = ("stage/stage", "components/exact", "components/story")
 """The components of the page; each has a module, HTML and a style sheet."""
 _SLIDERS = ("m_prime", "m", "k", "compression")
-_IMPORT = re.compile(r"""(from |import |import\()(["`])(\.{1,2}/[^"`]+)""")
+_IMPORT = re.compile(r"""(?<=(?:from |port |port\()["`])\.{1,2}/[^"`]+""")
+"""The path of a module relative to the one that imports it."""
 _PLACEHOLDER = "w"
 """A letter that occurs in no formula."""
 _SIGN = re.compile("(<mrow>|<mo>&#x0003D;</mo>|<mtext>&#x000A0;</mtext>)<mo>&#x02212;</mo>")
@@ -47,7 +48,6 @@ _CAPITAL = re.compile("<mi>(&#x003A[0-9];)")
 _COMMENT = re.compile(r"^\s*//.*\n", re.MULTILINE)
 
 
-@cache
 def html() -> str:
     """Return the file, in the language of this process."""
     condition = first_page.curve()
@@ -64,7 +64,6 @@ def html() -> str:
         "steps_heading": texts.steps_heading(),
         "steps": "".join(_steps()),
         "language": LANGUAGE,
-        "start": "",
         "style": _style(),
         "policy": _policy(imports, script),
         "settings": json.dumps(_settings(), ensure_ascii=False).replace("<", "\\u003c"),
@@ -79,27 +78,20 @@ def _imports() -> dict[str, str]:
     contents = {name: content.decode() for name, content in modules.contents().items() if name.endswith(".js")}
     contents["markup.js"] = modules.markup(_MARKUP, f"<style>{_contrast()}</style>")
     waiting = ["standalone/page.js", *(f"{name}.js" for name in _MARKUP)]
-    addresses = {}
+    addresses: dict[str, str] = {}
     while waiting:
         name = waiting.pop()
-        if f"ramanujan/{name}" in addresses:
-            continue
-        script = _COMMENT.sub("", contents[name])
-        imported = [_resolved(name, path) for _start, _mark, path in _IMPORT.findall(script)]
-        waiting += [each for each in imported if each in contents]
-        addresses[f"ramanujan/{name}"] = _address(_IMPORT.sub(partial(_absolute, name), script))
+        if name in contents and f"ramanujan/{name}" not in addresses:
+            script = _with_absolute_imports(name, _COMMENT.sub("", contents[name]))
+            addresses[f"ramanujan/{name}"] = _address(script)
+            waiting += re.findall(r'["`]ramanujan/([^"`]+)', script)
     return addresses
 
 
-def _absolute(name: str, match: re.Match[str]) -> str:
-    """Return an import with an absolute name, because a module with a `data:` address has no folder."""
-    start, mark, path = match.groups()
-    return f"{start}{mark}ramanujan/{_resolved(name, path)}"
-
-
-def _resolved(name: str, path: str) -> str:
-    """Return the name of the module at a path relative to another module."""
-    return posixpath.normpath(posixpath.join(posixpath.dirname(name), path))
+def _with_absolute_imports(name: str, script: str) -> str:
+    """Return a module that imports others by absolute names, because a `data:` address has no folder."""
+    folder = posixpath.dirname(f"ramanujan/{name}")
+    return _IMPORT.sub(lambda path: posixpath.normpath(posixpath.join(folder, path[0])), script)
 
 
 def _address(script: str) -> str:
@@ -119,14 +111,13 @@ def _policy(*scripts: str) -> str:
 def _settings() -> dict[str, Any]:
     """Return the data of page.js."""
     machine = stage.payload(Oscillator(), 0)["parameters"]
-    watch = {key: WATCH[key] for key in _SLIDERS}
-    limits = PARAMETERS["compression"].limits
     return {
         "parameters": [_parameter(PARAMETERS[key]) for key in (*_SLIDERS, "radius")],
-        "sentences": SENTENCES,
+        "view": [{"key": each.name, "form": _form(each), "ignored": each.message()} for each in stages.URL_PARAMETERS],
+        "sentences": SENTENCES | {"unknown": address.UNKNOWN},
         "machine": machine,
-        "stage": stage.settings("stage", name="oscillator", layers=(), limits=limits, watch=watch),
-        "story": components.story_data("oscillator", "m_prime", story.RATIO, story.script(), story.words()),
+        "stage": stage.settings("stage", name="oscillator", layers=(), limits=stages.LIMITS, watch=WATCH),
+        "story": story.data(),
         "curve": _curve() | {"shape": {name: machine[name] for name in machine if name.startswith("beta_")}},
     }
 
@@ -137,6 +128,14 @@ def _parameter(parameter: Parameter) -> dict[str, Any]:
     attributes = {name: getattr(parameter, name) for name in names}
     head = widgets.head(parameter) | {"key": parameter.name} if parameter.name in _SLIDERS else None
     return {"key": parameter.name, **attributes, "head": head, "ignored": parameter.message()}
+
+
+def _form(parameter: URLParameter) -> str:
+    """Return the regular expression of the valid texts of a parameter of the stage."""
+    if isinstance(parameter, address.Text):
+        return parameter.form
+    option = f"({'|'.join(map(re.escape, parameter.options))})"
+    return f"{option}(,{option})*" if isinstance(parameter, address.Several) else option
 
 
 def _curve() -> dict[str, Any]:

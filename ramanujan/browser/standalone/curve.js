@@ -3,6 +3,7 @@
 import { bus } from "../components/bus.js";
 import { DECIMAL } from "../components/language.js";
 import { FORMULAS } from "../stage/formulas.js";
+import { element, set } from "../stage/svg.js";
 
 const BOX = { left: 48, right: 628, top: 12, bottom: 290 };
 const TICKS = { x: [0.01, 0.1, 1, 10], y: [0, 0.5, 1, 1.5] };
@@ -18,13 +19,7 @@ export function drawCurve(svg, { range, light, heavy, equal, unit, words, shape 
   const ratios = Array.from({ length: POINTS + 1 }, (_, i) => least * (most / least) ** (i / POINTS));
   const path = (some, height) => `M${some.map((ratio) => `${x(ratio).toFixed(2)} ${y(height(ratio)).toFixed(2)}`).join("L")}`;
 
-  const add = (name, attributes, text = "") => {
-    const node = document.createElementNS("http://www.w3.org/2000/svg", name);
-    for (const [key, attribute] of Object.entries(attributes)) node.setAttribute(key, attribute);
-    node.textContent = text;
-    svg.append(node);
-    return node;
-  };
+  const add = (name, attributes, text = "") => Object.assign(element(name, attributes, svg), { textContent: text });
   const withMark = (number) => String(number).replace(".", DECIMAL);
   for (const ratio of TICKS.x) {
     add("line", { class: "grid", x1: x(ratio), x2: x(ratio), y1: BOX.top, y2: BOX.bottom });
@@ -54,10 +49,7 @@ export function drawCurve(svg, { range, light, heavy, equal, unit, words, shape 
   add("text", { class: "scale unit", x: x(0.5), y: y(0.55) + 20 }, words.unit);
   add("line", { x1: x(0.53), x2: x(unit) - 3, y1: y(0.62), y2: y(1) + 6 });
   const ring = add("circle", { class: "ring", r: 10 });
-  bus.subscribe("drawn/oscillator", ({ ratio, normalized }) => {
-    ring.setAttribute("cx", x(ratio));
-    ring.setAttribute("cy", y(normalized));
-  });
+  bus.subscribe("drawn/oscillator", ({ ratio, normalized }) => set(ring, { cx: x(ratio), cy: y(normalized) }));
 
   svg.addEventListener("click", (event) => {
     const place = new DOMPoint(event.clientX, event.clientY).matrixTransform(svg.getScreenCTM().inverse());

@@ -2,24 +2,20 @@
 
 import { DECIMAL } from "../components/language.js";
 
-const LONGEST = 60; // characters
 const NUMBER = /^[+-]?(\d+([.,]\d*)?|[.,]\d+)([eE][+-]?\d{1,3})?(\/\d+([.,]\d*)?)?$/;
-const OTHER_MARK = DECIMAL === "." ? "," : ".";
-const MAYBE_THOUSANDS = new RegExp(`^[+-]?[1-9]\\d{0,2}\\${OTHER_MARK}\\d{3}$`);
+// A decimal mark of another language before three digits, which may separate thousands.
+const MAYBE_THOUSANDS = new RegExp(`(?<=(?:^[+-]?|/)[1-9]\\d{0,2})\\${DECIMAL === "." ? "," : "."}(?=\\d{3}(?:/|$))`, "g");
 
 /** Return the value of a text, or null. */
 export function readNumber(text) {
-  const trimmed = text.trim();
-  if (trimmed.length > LONGEST || !NUMBER.test(trimmed)) return null;
-  const [numerator, denominator = 1] = trimmed.replaceAll(",", ".").split("/").map(Number);
+  if (!NUMBER.test(text.trim())) return null;
+  const [numerator, denominator = 1] = text.replaceAll(",", ".").split("/").map(Number);
   const value = numerator / denominator;
   return Number.isFinite(value) ? value : null;
 }
 
 /** Return the decimal and the integer that an ambiguous text can mean, or null. */
 export function twoReadings(text) {
-  const parts = text.trim().split("/");
-  const withMark = (mark) =>
-    parts.map((part) => (MAYBE_THOUSANDS.test(part) ? part.replace(OTHER_MARK, mark) : part)).join("/");
-  return withMark(DECIMAL) === withMark("") ? null : [withMark(DECIMAL), withMark("")];
+  const [decimal, whole] = [DECIMAL, ""].map((mark) => text.trim().replace(MAYBE_THOUSANDS, mark));
+  return decimal === whole ? null : [decimal, whole];
 }

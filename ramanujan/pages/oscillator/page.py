@@ -117,8 +117,7 @@ def opening() -> None:
 
 def tell_story() -> None:
     """Draw the button of the story, which ends at the one mass ratio at which both hands turn together."""
-    script = story.script() | {"marked": address.keep(FOUND) == "on"}
-    components.story("oscillator", "m_prime", story.RATIO, script, story.words())
+    components.story(story.data(marked=address.keep(FOUND) == "on"))
 
 
 def to_lesson() -> None:

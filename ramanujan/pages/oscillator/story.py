@@ -85,15 +85,19 @@ def story(start: float) -> tuple[Scene, ...]:
     )
 
 
-def script() -> dict[str, Any]:
-    """Return the scenes of all stories in the format of `components.story`, without a mark on the slider."""
+def data(*, marked: bool = False) -> dict[str, Any]:
+    """Return the data of `components.story`; `marked` is whether the slider marks the ratio from the start."""
     stories = [story(start) for start in STARTS]
     return {
+        "stage": "oscillator",
+        "slider": "m_prime",
+        "ratio": RATIO,
         "openings": [list(map(asdict, scenes[:OPENING])) for scenes in stories],
         "rest": list(map(asdict, stories[0][OPENING:])),
         "pace": PACE,
         "stills": stills(),
-        "marked": False,
+        "marked": marked,
+        "words": words(),
     }
 
 

@@ -1,6 +1,16 @@
-// A slider with the same interface for the app's modules as Streamlit's. It sends its value at the end of a drag and after a key
-// stroke, and it has the attribute data-dragging during a drag.
+// Elements with the same interface for the app's modules as in Streamlit's page: a slider, and a component.
 
+import { begin } from "../begin.js";
+
+/** Begin a component in an element, or call it again there. `send` is called with an event and its value. */
+export function mount(outer, name, key, data, send = () => {}) {
+  const inner = outer.firstElementChild ?? outer.appendChild(document.createElement("div"));
+  inner.dataset.testid = "stBidiComponentIsolated";
+  const parentElement = inner.shadowRoot ?? inner.attachShadow({ mode: "open" });
+  return begin({ name, key, data, parentElement, setTriggerValue: send, setStateValue: send });
+}
+
+/** Make a slider, which sends its value at the end of a drag and after a key stroke. It marks a drag by data-dragging. */
 export function makeSlider(key, { min, max, step, value, label = "" }, send) {
   const outer = document.createElement("div");
   outer.className = `st-key-${key} slider`;
