@@ -134,6 +134,7 @@ def _form(parameter: URLParameter) -> str:
     """Return the regular expression of the valid texts of a parameter of the stage."""
     if isinstance(parameter, address.Text):
         return parameter.form
+    assert isinstance(parameter, address.Choice)
     option = f"({'|'.join(map(re.escape, parameter.options))})"
     return f"{option}(,{option})*" if isinstance(parameter, address.Several) else option
 
