@@ -191,8 +191,8 @@ MUTATIONS = [
     Mutation(
         "what is typed before a preset is taken after it",
         "../shell/sidebar.py",
-        "wish.func is not take_exact",
-        "wish.func is take_exact",
+        "request.func is not take_exact",
+        "request.func is take_exact",
         "every_slider_preset_and_typed_value",
     ),
     Mutation(
@@ -206,11 +206,14 @@ MUTATIONS = [
         Mutation(
             f"after an old message {wins}",
             "../shell/pending_updates.py",
-            "value if now[key] in before else now[key]",
+            "update if current in update.old_values else update._replace(value=current)",
             taken,
             "older_than_a_preset",
         )
-        for wins, taken in (("the preset always wins", "value"), ("the message always wins", "now[key]"))
+        for wins, taken in (
+            ("the preset always wins", "update"),
+            ("the message always wins", "update._replace(value=current)"),
+        )
     ),
     Mutation(
         "the spring's old colour",

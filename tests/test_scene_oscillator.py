@@ -41,7 +41,7 @@ def box(app, key: str) -> dict[str, object]:
 
 def type_in(app, key: str, text: str):
     """Pass a text to the callback of a box, and run the app."""
-    app.session_state["wishes"].append(partial(take_exact, key, text))
+    app.session_state["requests"].append(partial(take_exact, key, text))
     return app.run()
 
 

@@ -153,10 +153,3 @@ def test_after_a_slider_a_page_says_what_its_address_says(app, path, monkeypatch
     assert bool(other.slider) == (path in ("motion", "speed")), "the other pages draw what follows the machine alone"
     assert redrawn <= Counter(before[0]) <= Counter(moved[0]) + redrawn
     assert moved[1] | published(other) == before[1]
-
-
-def test_a_sidebar_that_is_drawn_before_its_wishes_are_taken_fails_at_once():
-    """Check this without any pending wish."""
-    script = "from ramanujan.shell import first_run, sidebar\nfirst_run.begin()\n{}\nsidebar.draw((), ())"
-    assert AppTest.from_string(script.format(""), default_timeout=60).run().exception
-    assert not AppTest.from_string(script.format("sidebar.begin([])"), default_timeout=60).run().exception

@@ -12,8 +12,7 @@ every widget:
 """
 
 from collections.abc import Mapping
-from dataclasses import dataclass, field
-from typing import Any
+from typing import Any, NamedTuple
 
 import streamlit as st
 
@@ -21,27 +20,32 @@ from ramanujan.translation import _
 
 _SEEN = "update_seen"
 """The hidden slider."""
-_UPDATES = "updates"
+_WAITING = "updates"
+"""Session state: key of a widget → the update that the page may not have received.
+
+The mapping is changed in place, and before the widgets: Streamlit may interrupt a run at each access to the session
+state.
+"""
 
 
-@dataclass
-class _Updates:
-    """Values that the page may not have received.
+class _Update(NamedTuple):
+    """A value that the page may not have received."""
 
-    Change it in place and first: Streamlit may interrupt a run at each access to the session state.
-    """
-
+    value: Any
+    old_values: set
+    """Values that an older message may contain, although the user has not moved the widget."""
     number: int = 0
-    waiting: dict[str, tuple[set, Any, int]] = field(default_factory=dict)
-    """Key of a widget → its previous values, its new value, and the number of the update."""
 
 
 def set_widgets(values: Mapping[str, Any]) -> None:
     """Set widgets, key → value, and repeat this until the page has received the values."""
-    held = {key: st.session_state.get(key) for key in values}
-    waiting = _updates().waiting
-    before = {key: {held[key]} | (waiting[key][0] | {waiting[key][1]} if key in waiting else set()) for key in values}
-    _set({key: (before[key], value) for key, value in values.items() if key in waiting or held[key] != value})
+    waiting, updates = _waiting(), {}
+    for key, value in values.items():
+        old_values = {st.session_state.get(key)}
+        if key in waiting:
+            old_values |= {*waiting[key].old_values, waiting[key].value}
+        updates[key] = _Update(value, old_values)
+    _set(updates)
 
 
 def reassert() -> None:
@@ -49,21 +53,20 @@ def reassert() -> None:
 
     Call it before anything reads or draws the widgets: at the start of a run, and of each callback.
     """
-    updates, seen = _updates(), st.session_state.get(_SEEN, 0)
-    updates.number = max(updates.number, seen)
-    updates.waiting = {key: each for key, each in updates.waiting.items() if each[2] > seen}
-    now = {key: st.session_state.get(key) for key in updates.waiting}
-    _set(
-        {
-            key: (before, value if now[key] in before else now[key])
-            for key, (before, value, _number) in updates.waiting.items()
-        }
-    )
+    waiting, seen = _waiting(), st.session_state.get(_SEEN, 0)
+    for key, update in list(waiting.items()):
+        if update.number <= seen:
+            del waiting[key]
+    updates = {}
+    for key, update in waiting.items():
+        current = st.session_state.get(key)
+        updates[key] = update if current in update.old_values else update._replace(value=current)
+    _set(updates)
 
 
 def waits() -> bool:
     """Return whether the page may not have received a value."""
-    return bool(_updates().waiting)
+    return bool(_waiting())
 
 
 def draw() -> None:
@@ -72,17 +75,21 @@ def draw() -> None:
     A message without this slider would leave its number as the server has set it.
     """
     if waits():
-        st.session_state[_SEEN] = _updates().number
+        st.session_state[_SEEN] = _last_number()
     st.slider(_("Updates"), 0, 2**31, key=_SEEN, on_change="ignore")
 
 
-def _set(values: Mapping[str, tuple[set, Any]]) -> None:
-    updates = _updates()
-    updates.number += bool(values)
-    updates.waiting |= {key: (before, value, updates.number) for key, (before, value) in values.items()}
-    for key, (_before, value) in values.items():
-        st.session_state[key] = value
+def _set(updates: Mapping[str, _Update]) -> None:
+    """Set widgets under a new number."""
+    number = _last_number() + 1
+    _waiting().update({key: update._replace(number=number) for key, update in updates.items()})
+    for key, update in updates.items():
+        st.session_state[key] = update.value
 
 
-def _updates() -> _Updates:
-    return st.session_state.setdefault(_UPDATES, _Updates())
+def _last_number() -> int:
+    return max(st.session_state.get(_SEEN, 0), *(update.number for update in _waiting().values()), 0)
+
+
+def _waiting() -> dict[str, _Update]:
+    return st.session_state.setdefault(_WAITING, {})

@@ -29,14 +29,13 @@ PRESETS = {
 }
 _RATIOS = {"equal": 1.0, "unit": UNIT_MASS_RATIO, "light": 0.1, "heavy": 5.0}
 _PRESET = "preset"
-_WISHES = "wishes"
+_REQUESTS = "requests"
 """Session state: requests from a box, a preset or a button, for the next run.
 
 The list is changed in place, so that an interrupted run loses no request.
 """
 _JUDGED = "judged"
 _FIRST = "first_run"
-_BEGUN = "sidebar_begun"
 _FOLLOW = "follow"
 """Session state: the keys of the fragments that follow the machine, if the page was completely drawn."""
 _LINKED = "linked"
@@ -51,8 +50,6 @@ def draw(withheld: Collection[str], aside: Collection[str]) -> None:
     withheld : presets to omit, because they would reveal an answer
     aside : keys of parameters of minor importance on this page, which are folded
     """
-    if not st.session_state.pop(_BEGUN, False):
-        raise RuntimeError("sidebar.begin() comes first: a widget that has been drawn can no longer be set")
     with st.sidebar, st.container(key="controls"):
         components.drawer()
         folded = [key for key, each in PARAMETERS.items() if each.aside or key in aside]
@@ -123,8 +120,8 @@ def follow(*fragments: str) -> None:
 def followed() -> dict[str, object]:
     """Return the messages to the boxes of the sliders, by topic of the page’s bus."""
     judged = st.session_state.get(_JUDGED, 0)
-    held = {key: parameter.value for key, parameter in PARAMETERS.items()}
-    return {f"exact/{key}": {"value": value, "text": repr(value), "judged": judged} for key, value in held.items()}
+    values = {key: parameter.value for key, parameter in PARAMETERS.items()}
+    return {f"exact/{key}": {"value": value, "text": repr(value), "judged": judged} for key, value in values.items()}
 
 
 def _moved() -> None:
@@ -134,13 +131,13 @@ def _moved() -> None:
     """
     pending_updates.reassert()
     fragments = st.session_state.get(_FOLLOW)
-    if fragments and display_mode.in_browser() and not (_wishes() or pending_updates.waits() or messages.are_shown()):
+    if fragments and display_mode.in_browser() and not (_requests() or pending_updates.waits() or messages.are_shown()):
         st.rerun(fragments)
 
 
-def _wishes() -> list[partial]:
+def _requests() -> list[partial]:
     """Return the requests that set the sliders: a text in a box, a preset, a click on a curve, a stop."""
-    return st.session_state.setdefault(_WISHES, [])
+    return st.session_state.setdefault(_REQUESTS, [])
 
 
 def begin(problems: list[str]) -> None:
@@ -153,14 +150,13 @@ def begin(problems: list[str]) -> None:
     problems : a sentence about each problem of the address
     """
     st.session_state.pop(_FOLLOW, None)
-    st.session_state[_BEGUN] = True
     st.session_state[_FIRST] = _FIRST not in st.session_state
     # In the first run the sliders have the values in the link, without the invalid ones.
     st.session_state.setdefault(_LINKED, {key: parameter.value for key, parameter in PARAMETERS.items()})
     pending_updates.reassert()
-    for wish in sorted(_wishes(), key=lambda wish: wish.func is not take_exact):
-        wish()
-        _wishes().remove(wish)
+    for request in sorted(_requests(), key=lambda request: request.func is not take_exact):
+        request()
+        _requests().remove(request)
     messages.begin(problems)
 
 
@@ -176,7 +172,7 @@ def compression() -> float:
 
 def enter(key: str, text: str) -> None:
     """Request the text in the box of a parameter, in a callback. The next run parses it."""
-    _wishes().append(partial(take_exact, key, text))
+    _requests().append(partial(take_exact, key, text))
 
 
 def take_ratio(ratio: float, digits: int = 17) -> None:
@@ -187,7 +183,7 @@ def take_ratio(ratio: float, digits: int = 17) -> None:
     ratio : ε = m′/m
     digits : number of significant digits of m′, if round values matter more than the exact ratio
     """
-    _wishes().append(partial(_set_ratio, ratio, digits))
+    _requests().append(partial(_set_ratio, ratio, digits))
 
 
 def _set_ratio(ratio: float, digits: int) -> None:
@@ -218,7 +214,7 @@ def _set_ratio(ratio: float, digits: int) -> None:
 
 def take_machine(machine: Oscillator, metres: float) -> None:
     """Set all sliders to a machine and its x₀ [m] in the next run."""
-    _wishes().append(partial(pending_updates.set_widgets, _on_sliders(machine, metres)))
+    _requests().append(partial(pending_updates.set_widgets, _on_sliders(machine, metres)))
 
 
 def linked() -> bool:
@@ -261,7 +257,7 @@ def _take_preset() -> None:
     if preset in _RATIOS:
         take_ratio(_RATIOS[preset])
     elif preset:
-        _wishes().append(partial(_reset))
+        _requests().append(partial(_reset))
     pending_updates.set_widgets({_PRESET: None})
 
 

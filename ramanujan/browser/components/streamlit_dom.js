@@ -4,7 +4,7 @@
 
 import { observe } from "./lasting.js";
 
-const left = new WeakMap(); // data from the server → the slider whose thumb has been dragged away from its value
+const draggedAway = new WeakMap(); // data from the server → the slider whose thumb has been dragged away from its value
 const snapped = new WeakMap(); // slider → the value between two steps to which its thumb has snapped, until the server sends it
 
 const STANDALONE = "standalone" in document.documentElement.dataset;
@@ -20,15 +20,11 @@ export const dom = {
    */
   shows(slider, value, received) {
     if (!slider) return false;
-    const off = Math.abs(dom.value(slider) - value), near = off <= 0.501 * Number(slider.step);
+    const off = Math.abs(dom.value(slider) - value), isNear = off <= 0.501 * Number(slider.step);
     if (snapped.has(slider)) return off === 0 && snapped.delete(slider);
-    if (!near && dom.isDragged(slider)) left.set(received, slider);
-    return near && (off < 1e-9 || left.get(received) !== slider);
+    if (!isNear && dom.isDragged(slider)) draggedAway.set(received, slider);
+    return isNear && (off < 1e-9 || draggedAway.get(received) !== slider);
   },
-
-  /** A slider's value as text: the server's full text, or the new value after a move of the thumb. */
-  held: (slider, received) =>
-    slider && !dom.shows(slider, received.value, received) ? String(dom.value(slider)) : received.text ?? "",
 
   /** A slider's value: the value to which its thumb has snapped, or the value of its step. */
   value: (slider) => snapped.get(slider) ?? Number(slider.value),
@@ -36,7 +32,7 @@ export const dom = {
   /** Snap a slider's thumb to a value between its steps, or release it (null). */
   snap(slider, value) {
     snapped.delete(slider);
-    if (value === null) return;
+    if (!slider || value === null) return;
     snapped.set(slider, value);
     dom.moveSlider(slider, value);
   },
@@ -95,15 +91,6 @@ export const dom = {
     return Boolean(style);
   },
 
-  /**
-   * Write a slider's value into the address, unless it is the default. Streamlit's server always writes the complete
-   * address, which can be older than the slider.
-   */
-  writeAddress(key, value, byDefault) {
-    const said = dom.settings().get(key);
-    if (value === byDefault ? said !== null : said === null || Number(said) !== value) dom.keep([[key, value, byDefault]]);
-  },
-
   /** The settings in the address: after ? in the app, after # in the standalone file. */
   settings: () => new URLSearchParams(STANDALONE ? location.hash.slice(1) : location.search),
 
@@ -111,6 +98,7 @@ export const dom = {
   keep(entries) {
     const settings = dom.settings();
     for (const [key, value, byDefault] of entries) value === byDefault ? settings.delete(key) : settings.set(key, value);
+    if (String(settings) === String(dom.settings())) return;
     const url = new URL(location.href);
     url.search = settings;
     // An empty # differs from no #: a saved file then begins with the defaults.

@@ -1,6 +1,5 @@
 // Moves the slab by pointer or keys, within elastic bounds.
 
-import { bus } from "../components/bus.js";
 import { atRest } from "../components/lasting.js";
 import { fill, number, withUnit } from "../components/sentences.js";
 import { CM } from "./drawing.js";
@@ -108,7 +107,7 @@ export class Slab {
   /** Hold the machine at rest with the spring compressed by `wanted` [m], rounded to a step of its slider. */
   compress(wanted, slack = 0) {
     const { limits, hand, playback, parameters, voice } = this.stage, { phase, plainPhase } = playback;
-    if (!hand.isHolding) this.before = { compression: parameters.compression, text: hand.text(), phase, plainPhase };
+    if (!hand.isHolding) this.before = { compression: parameters.compression, phase, plainPhase };
     const bound = clamp(wanted, ...limits), isBeyond = bound !== wanted;
     this.value = hand.rounded(bound);
     this.stage.change(() => {
@@ -134,7 +133,7 @@ export class Slab {
     this.soon.cancel();
     const { compression, phase, plainPhase } = this.before;
     this.stage.change(() => {
-      hand.giveUp(compression);
+      hand.hold(compression, null);
       Object.assign(playback, { phase, plainPhase });
     });
     voice.note(fill(WORDS.restored, { value: centimetres(compression) }));
@@ -143,7 +142,7 @@ export class Slab {
   /** Restore x₀ from before the last drag, with all its digits. Return whether a drag could be undone. */
   undo() {
     if (this.button.hidden) return false;
-    bus.publish(`enter/${this.stage.hand.slabKey}`, this.last.text);
+    this.stage.hand.enter(this.last.compression);
     return true;
   }
 

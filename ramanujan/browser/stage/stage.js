@@ -148,7 +148,7 @@ class Stage {
     if (running) this.run(elapsed * this.pace());
     const fading = this.playback.fade(elapsed);
     if (running || fading || this.dirty) this.draw(elapsed);
-    return running || fading || this.hand.held !== null;
+    return running || fading || this.hand.isHolding || this.hand.unsent !== null;
   }
 
   /** The speed of the playback: seconds of the machine per second of the clock. */

@@ -7,10 +7,8 @@ import { bus } from "../components/bus.js";
 import { dom } from "../components/streamlit_dom.js";
 
 export class Hand {
-  held = null; // m, x₀ as drawn during a drag of the slab, and until its slider has sent it
-  due = null; // m, x₀ that the slider has not sent yet
-  isHolding = false;
-  inputs = new Map(); // key of a slider → its input
+  drawn = null; // m, x₀ as drawn during a drag of the slab
+  unsent = null; // m, x₀ that the slab's slider has to send
   seen = "{}"; // the settings in the last drawn picture
 
   /** `watch` is part of the stage's payload; `received()` returns the server's parameters. */
@@ -19,33 +17,30 @@ export class Hand {
     this.slabKey = Object.keys(watch).find((key) => watch[key].parameter === "compression");
   }
 
-  input(key) {
-    if (!this.inputs.get(key)?.isConnected) this.inputs.set(key, dom.slider(key));
-    return this.inputs.get(key);
+  /** Whether the slab is being dragged. */
+  get isHolding() {
+    return this.drawn !== null;
   }
 
   /** The parameters that the visitor has changed, by name. */
   values() {
     const set = {}, received = this.received();
     for (const [key, { parameter, scale }] of Object.entries(this.watch)) {
-      const input = this.input(key);
-      if (input && !dom.shows(input, received[parameter] / scale, received)) set[parameter] = dom.value(input) * scale;
+      const slider = dom.slider(key);
+      if (slider && !dom.shows(slider, received[parameter] / scale, received)) set[parameter] = dom.value(slider) * scale;
     }
-    if (this.held !== null) set.compression = this.held;
+    const compression = this.drawn ?? this.unsent;
+    if (compression !== null) set.compression = compression;
     this.seen = JSON.stringify(set);
     return set;
   }
 
-  /** x₀ as in its box, with all digits. */
-  text() {
-    return dom.held(this.input(this.slabKey), bus.last(`exact/${this.slabKey}`));
-  }
-
-  /** Read the sliders, once a frame; return whether a value has changed. */
+  /** Read the sliders, once a frame; return whether a value has changed. Send x₀, unless the server is away. */
   look() {
-    if (this.due !== null) {
-      if (dom.sendSlider(this.input(this.slabKey), this.due / this.watch[this.slabKey].scale)) this.due = null;
-    } else if (!this.isHolding) this.held = null; // the slider has sent it since the last frame
+    if (this.unsent !== null && dom.sendSlider(this.slider, this.onSlider(this.unsent))) {
+      // The slider shows the value from the microtask before this one on.
+      queueMicrotask(() => (this.unsent = null));
+    }
     const before = this.seen;
     this.values();
     return this.seen !== before;
@@ -53,29 +48,38 @@ export class Hand {
 
   // ---- the slab
 
+  get slider() {
+    return dom.slider(this.slabKey);
+  }
+
+  /** x₀ [m] in the unit of its slider. */
+  onSlider(compression) {
+    return Number((compression / this.watch[this.slabKey].scale).toPrecision(12));
+  }
+
   /** The nearest x₀ on a step of the slider [m]. */
   rounded(compression) {
     const { scale, step } = this.watch[this.slabKey];
     return Number((Math.round(compression / scale / step) * step * scale).toPrecision(10));
   }
 
-  /** Set x₀ [m] and move its slider. `drawn` may be beyond the bounds, where the slab follows the pointer only partly. */
+  /**
+   * Set x₀ [m] and move its slider. `drawn` may be beyond the bounds, where the slab follows the pointer only partly; null ends
+   * the drag without a message.
+   */
   hold(compression, drawn = compression) {
-    this.isHolding = true;
-    this.held = drawn;
-    this.due = null;
-    dom.moveSlider(this.input(this.slabKey), compression / this.watch[this.slabKey].scale);
+    this.drawn = drawn;
+    this.unsent = null;
+    dom.moveSlider(this.slider, this.onSlider(compression));
   }
 
   drop(compression) {
-    this.isHolding = false;
-    this.held = this.due = compression;
+    this.drawn = null;
+    this.unsent = compression;
   }
 
-  /** Restore the earlier x₀ [m], without sending it. */
-  giveUp(compression) {
-    this.hold(compression);
-    this.isHolding = false;
-    this.held = null;
+  /** Send x₀ [m] like a typed value, which may be between two steps. */
+  enter(compression) {
+    bus.publish(`enter/${this.slabKey}`, String(this.onSlider(compression)));
   }
 }
