@@ -84,7 +84,9 @@ def _marks(text: str) -> Counter[str]:
     formulas = re.sub(r"\\text\{+[^{}]*\}+", "", text.replace("{,}", "."))
     # The word for a number depends on its place in the sentence.
     formulas = re.sub(r":(Word|alone|Alone)\}", ":word}", formulas)
-    return Counter([*NOT_WORDS.findall(formulas), *_MARKDOWN.findall(text)])
+    # `str.format` raises an error for a single brace, and does not fill a slot in double braces.
+    other_braces = re.findall("[{}]", NOT_WORDS.sub("", formulas))
+    return Counter([*NOT_WORDS.findall(formulas), *_MARKDOWN.findall(text), *other_braces])
 
 
 def _listed(marks: Counter[str]) -> str:

@@ -127,7 +127,10 @@ def main(*names: str) -> None:
             Locale.parse(language)
         except (UnknownLocaleError, ValueError):
             sys.exit(f"{language} is not the code of a language. Use a code such as fr or pt_BR.")
-        print(*report(language, update(language)), sep="\n")
+        try:
+            print(*report(language, update(language)), sep="\n")
+        except UnicodeDecodeError:
+            sys.exit(f"{catalogue_file(language)} must be saved in the encoding UTF-8.")
 
 
 if __name__ == "__main__":

@@ -163,6 +163,8 @@ msgstr "{translation}"
         ("**Pile** {exactement} : {n:3 s} de $x$", "It lacks {exactly} and has {exactement} instead."),
         ("**Pile** {exactly} : {n} de $x$", "It lacks {n:3 s} and has {n} instead."),
         ("**Pile** {exactly} : {n:3 s} de x", "It lacks $x$."),
+        ("**Pile** {exactly} : {n:3 s} de $x$ }", "It has }, which the English text has not."),
+        ("**Pile** {{exactly}} : {n:3 s} de $x$", "It has {, }, which the English text has not."),
         ("Pile {exactly} : {n:3 s} de $x$", "It lacks **."),
         ("**Pile** {exactly} : {n:3 s} de $x$ ", "It begins or ends with a space."),
     ],
