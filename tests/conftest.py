@@ -115,7 +115,7 @@ def server(pytestconfig: pytest.Config) -> Iterator[str]:
 def chromium(playwright: object) -> Iterator[object]:  # noqa: F811
     """One headless browser for all tests of a worker."""
     if CHROMIUM is None:
-        skip_missing("chromium")
+        skip_missing("Chromium", "chromium")
     browser = playwright.chromium.launch(executable_path=CHROMIUM, args=FLAGS)
     yield browser
     browser.close()

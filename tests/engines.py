@@ -35,10 +35,10 @@ def _check_refused(page: object) -> None:
     assert not refused, refused
 
 
-def skip_missing(packages: str) -> None:
+def skip_missing(browser: str, packages: str) -> None:
     """Skip a test whose browser is missing, or fail if all browsers are required."""
     end = pytest.fail if os.environ.get("RAMANUJAN_REQUIRE_BROWSER") else pytest.skip
-    end(f"a browser is missing (on Debian: apt-get install {packages})")
+    end(f"{browser} is missing (on Debian: apt-get install {packages})")
 
 
 @pytest.fixture(scope="session")
@@ -65,12 +65,12 @@ def browsers(
                 return request.getfixturevalue("chromium")
             if name == "firefox":
                 if not FIREFOX:
-                    skip_missing("firefox-esr")
+                    skip_missing("Firefox", "firefox-esr")
                 options = {"executable_path": FIREFOX, "firefox_user_prefs": CALM}
                 browser = playwright.firefox.launch(channel="moz-firefox", **options)
             else:
                 if not (webkit.BROWSER and webkit.DRIVER and webkit.SCREEN):
-                    skip_missing("webkit2gtk-driver xvfb")
+                    skip_missing("WebKit", "webkit2gtk-driver xvfb")
                 browser = webkit.Page(tmp_path_factory.mktemp("webkit"))
             stack.callback(browser.close)
             return browser

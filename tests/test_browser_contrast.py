@@ -241,7 +241,7 @@ def test_dotted_letters_are_whole_on_the_screen_and_on_paper(visit):
 
 def test_dotted_letters_are_whole_in_firefox(server, browsers, playwright):
     if not FIREFOX:
-        skip_missing("firefox-esr")
+        skip_missing("Firefox", "firefox-esr")
     pages = []
     prefs = CALM | {"browser.display.document_color_use": 2}
     contrast = playwright.firefox.launch(channel="moz-firefox", executable_path=FIREFOX, firefox_user_prefs=prefs)

@@ -50,12 +50,12 @@ def strict(playwright: object, engine: str) -> Iterator[object]:
     """A browser that denies storage to frames of other sites."""
     if engine == "firefox":
         if not FIREFOX:
-            skip_missing("firefox-esr")
+            skip_missing("Firefox", "firefox-esr")
         prefs = CALM | {"network.cookie.cookieBehavior": 1}
         browser = playwright.firefox.launch(channel="moz-firefox", executable_path=FIREFOX, firefox_user_prefs=prefs)
     else:
         if not CHROMIUM_WITH_WINDOWS:
-            skip_missing("chromium")
+            skip_missing("Chromium", "chromium")
         arguments = [*FLAGS, "--headless=new"]
         browser = playwright.chromium.launch(executable_path=CHROMIUM_WITH_WINDOWS, args=arguments)
     yield browser
