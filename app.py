@@ -15,13 +15,13 @@ if __name__ == "__main__":
     page, script = navigation.navigate(hidden=only_machine)
     problems = address.read_once(page.name, links.parameters_of(page))
     display_mode.begin(page.name)
-    address.keep(*links.KEPT_EVERYWHERE)
+    address.keep(*links.EVERY_PAGE)
     navigation.configure(page)
     if display_mode.is_projector():
         display_mode.pager()
     sidebar.begin(problems)
-    if not page.lead():
-        sidebar.draw(page.withheld(), page.aside())
+    if not page.draw_header():
+        sidebar.draw(page.withheld_presets(), page.folded_parameters())
     try:
         script.run()
     finally:

@@ -44,7 +44,7 @@ class PseudoLanguage(gettext.NullTranslations):
         return _PSEUDO_SETTINGS.get(context) or self.gettext(message)
 
 
-def known() -> list[str]:
+def language_ids() -> list[str]:
     """Return the ids of all languages of the app."""
     return sorted(["en", "pseudo", *catalogue.languages()])
 
@@ -54,14 +54,14 @@ def language(name: str) -> gettext.NullTranslations:
 
     Parameters
     ----------
-    name : one of `known`
+    name : one of `language_ids`
 
     >>> language("tlh")  # doctest: +ELLIPSIS
     Traceback (most recent call last):
     LookupError: RAMANUJAN_LANGUAGE must be one of ... It is tlh.
     """
-    if name not in known():
-        raise LookupError(f"RAMANUJAN_LANGUAGE must be one of {', '.join(known())}. It is {name}.")
+    if name not in language_ids():
+        raise LookupError(f"RAMANUJAN_LANGUAGE must be one of {', '.join(language_ids())}. It is {name}.")
     if name == "pseudo":
         return PseudoLanguage()
     if name == "en":
@@ -69,17 +69,17 @@ def language(name: str) -> gettext.NullTranslations:
     return catalogue.translations(name)
 
 
-class Offered(NamedTuple):
+class MenuLanguage(NamedTuple):
     """A language in the page's menu: its id, its name in its own words, its URL path, and whether it is active."""
 
     lang: str
     name: str
     place: str
-    spoken: bool
+    is_active: bool
 
 
 @cache
-def offered() -> list[Offered]:
+def menu_languages() -> list[MenuLanguage]:
     """Return the languages in RAMANUJAN_LANGUAGES, with the URL paths of their servers, such as en:/,hu:/hu/."""
     entries = filter(None, os.environ.get("RAMANUJAN_LANGUAGES", "").split(","))
     languages = []
@@ -87,12 +87,12 @@ def offered() -> list[Offered]:
         lang, place = entry.split(":", 1)
         # TRANSLATORS: what your language calls itself.
         own_name = language(lang).pgettext("own name of the language", "English")
-        languages.append(Offered(lang, own_name, place, lang == LANGUAGE))
+        languages.append(MenuLanguage(lang, own_name, place, lang == LANGUAGE))
     return languages
 
 
 LANGUAGE = os.environ.get("RAMANUJAN_LANGUAGE") or "en"
-_spoken = language(LANGUAGE)
-_, ngettext, pgettext = _spoken.gettext, _spoken.ngettext, _spoken.pgettext
-TRANSLATED = getattr(_spoken, "percentage", 100)
+_translations = language(LANGUAGE)
+_, ngettext, pgettext = _translations.gettext, _translations.ngettext, _translations.pgettext
+TRANSLATED = getattr(_translations, "percentage", 100)
 """The percentage of translated messages in the language of this server."""

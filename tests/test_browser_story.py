@@ -10,7 +10,7 @@ from scipy.integrate import quad
 from ramanujan import UNIT_MASS_RATIO, Oscillator, normalized_frequency_squared
 from ramanujan.browser import stage
 from ramanujan.browser.components import exact
-from ramanujan.pages.oscillator.page import tell_story
+from ramanujan.pages.oscillator.page import draw_story_button
 from ramanujan.pages.oscillator.story import PACE, STARTS, STILL_PERIODS, story
 from ramanujan.shell import widgets
 from ramanujan.shell.parameters import PARAMETERS
@@ -82,7 +82,7 @@ def started(bare) -> Bare:
     page.put(lambda: exact("m_prime", widgets.head(PARAMETERS["m_prime"]), lambda _text: None))
     page.page.evaluate("bus.publish('exact/m_prime', { value: 1, text: '1.0', judged: 0 })")
     page.stage(Oscillator(1.5, 1.0, 10.0))
-    page.put(tell_story)
+    page.put(draw_story_button)
     return page
 
 

@@ -101,7 +101,7 @@ def test_equal_masses_are_put_into_every_line_of_the_same_steps(name):
 def test_the_condition_says_on_which_side_a_machine_is(roller_mass, word):
     numbers = replace(TWO_MASSES, m_prime=roller_mass)
     step = ROUTES["euler_lagrange"]["unit"]
-    said = step.about(numbers)
+    said = step.for_numbers(numbers)
     assert word in said.reason
-    signs = {sp.sign(numbers.put_into(relation.rhs)) for relation in said.equations}
+    signs = {sp.sign(numbers.insert_into(relation.rhs)) for relation in said.equations}
     assert signs == {{"faster": -1, "in step": 0, "more slowly": 1}[word]}

@@ -20,7 +20,7 @@ from ramanujan.derivation import ROUTES
 from ramanujan.derivation.energies import PARTS
 from ramanujan.derivation.model import k, m, m_prime
 from ramanujan.derivation.nomenclature import nomenclature
-from ramanujan.derivation.numbers import Numbers, stands_for_the_root
+from ramanujan.derivation.numbers import Numbers, is_unit_ratio
 from ramanujan.derivation.rows import rows
 from ramanujan.pages.derivation import cache as page
 from ramanujan.pages.oscillator import cache as first_page
@@ -291,10 +291,10 @@ def test_a_number_is_the_one_that_a_person_has_entered(number, entered):
 def test_the_float_nearest_to_the_root_is_read_as_the_root_and_its_neighbours_are_not():
     for mass in (0.5, 1.0, 3.7, 1.2345678):
         roller = UNIT_MASS_RATIO * mass
-        assert stands_for_the_root(mass, roller)
+        assert is_unit_ratio(mass, roller)
         assert Numbers(mass, roller, 1.0).exact[m_prime].has(sp.sqrt(1729))
         for other in (roller * (1 + 1e-15), roller * (1 - 1e-15)):
-            assert not stands_for_the_root(mass, other)
+            assert not is_unit_ratio(mass, other)
             assert Numbers(mass, other, 1.0).exact[m_prime].is_Rational
 
 

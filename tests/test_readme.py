@@ -12,7 +12,7 @@ from pathlib import Path
 import pytest
 
 from ramanujan import lesson
-from ramanujan.translation import known
+from ramanujan.translation import language_ids
 from tests.browser import ROOT
 
 README = (ROOT / "README.md").read_text(encoding="utf-8")
@@ -98,6 +98,6 @@ def test_a_language_that_is_not_known_stops_the_start_with_a_sentence():
     command = (sys.executable, "-m", "streamlit", "run", "app.py", "--server.port", "0", "--server.headless", "true")
     tlh = os.environ | {"RAMANUJAN_LANGUAGE": "tlh"}
     done = subprocess.run(command, cwd=ROOT, env=tlh, capture_output=True, text=True, timeout=60, check=False)
-    assert done.stderr.endswith(f"RAMANUJAN_LANGUAGE must be one of {', '.join(known())}. It is tlh.\n")
+    assert done.stderr.endswith(f"RAMANUJAN_LANGUAGE must be one of {', '.join(language_ids())}. It is tlh.\n")
     assert "Traceback" not in done.stderr
     assert done.returncode == 1

@@ -175,7 +175,7 @@ def test_each_line_names_the_operation_that_leads_to_it(page):
     assert marked == {*ROUTES} - {"matrix"}
     for way in (*(ROUTES[name] for name in ROUTES), ROUTES.with_equal_masses("euler_lagrange")):
         for step in way.steps:
-            for said in (step, step.about(Numbers(1, 1, 10))):
+            for said in (step, step.for_numbers(Numbers(1, 1, 10))):
                 assert len(said.operations) == len(said.equations), (way.title, step.key)
                 assert any(said.operations), (way.title, step.key)
 
@@ -216,5 +216,5 @@ def test_every_question_can_be_asked(page):
 def test_what_is_read_is_shown_as_it_was_typed(page):
     for text in ("(m/m)^(-2)", "k/(m/m)^(-2)", "(√(R/R))^(-12)", "1/0"):
         answer(page, "potential_energy", text)
-        assert questions.as_read(text) in formulas(page), text
-    assert questions.as_read("m +") is None
+        assert questions.as_parsed(text) in formulas(page), text
+    assert questions.as_parsed("m +") is None

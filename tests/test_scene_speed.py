@@ -28,7 +28,7 @@ from ramanujan.integrators import METHODS, trajectory
 from ramanujan.numerals import duration, number, power_of_ten, unbroken
 from ramanujan.pages.speed import cache, costs, downsampling, verdicts
 from ramanujan.shell import theme
-from ramanujan.shell.cache import giving_way
+from ramanujan.shell.cache import responsive
 from ramanujan.shell.widgets import plain
 
 PAGE = "ramanujan/pages/speed/page.py"
@@ -214,7 +214,7 @@ def test_what_a_class_wants_at_once_is_worked_out_once_and_seconds_one_after_the
 
     def work(*curve, previous, after_block):
         worked.append(curve)
-        with giving_way():  # a second visitor, with less work
+        with responsive():  # a second visitor, with less work
             pass
         assert sys.getswitchinterval() < usual  # other sessions get turns
         time.sleep(0.05)
@@ -295,7 +295,7 @@ def test_float32_is_said_to_lose_the_phase_between_the_decades_where_it_does():
     single = (np.float32(omega) * times.astype(np.float32)).astype(float)
     lost = periods[np.argmax(np.abs(np.angle(np.exp(1j * (single - omega * times)))) > 1)]
     before, after = math.floor(math.log10(lost)), math.ceil(math.log10(lost))
-    sentence = verdicts.how_phases_grow(phase_errors(machine))
+    sentence = verdicts.describe_phases(phase_errors(machine))
     assert f"between {power_of_ten(before)} and {power_of_ten(after)} periods" in sentence
 
 

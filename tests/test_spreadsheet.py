@@ -15,7 +15,7 @@ import pytest
 from ramanujan import Oscillator
 from ramanujan.pages.motion import cache
 from ramanujan.record import columns
-from ramanujan.translation import known
+from ramanujan.translation import language_ids
 from tests.browser import ROOT
 
 FILES = """
@@ -56,7 +56,7 @@ def cells(file: Path) -> list[ET.Element]:
     return found
 
 
-@pytest.mark.parametrize("language", known())
+@pytest.mark.parametrize("language", language_ids())
 def test_a_spreadsheet_has_all_numbers_and_words_of_its_language(language):
     motion, votes = made(language)
     comma = language != "en"

@@ -100,8 +100,8 @@ def to_beamer(route: Route, numbers: Numbers | None = None, picture: str = "", s
     step : number of the requested step, counted from 1; none for all
     """
     title = f"\\title{{{prose_to_latex(TITLE.format(route=route.title))}}}\n\\date{{}}\n"
-    said = f"\n{prose_to_latex(stated(numbers))}\n" if numbers else ""
-    machine = f"\\centering\n% {_ANY_PICTURE}\n{picture}{said}"
+    sentence = f"\n{prose_to_latex(stated(numbers))}\n" if numbers else ""
+    machine = f"\\centering\n% {_ANY_PICTURE}\n{picture}{sentence}"
     frames = [("title", "", "\\titlepage\n"), ("machine", prose_to_latex(_MACHINE), machine)]
     for each in route.steps if step is None else route.steps[step - 1 : step]:
         frames += _slides(each, numbers)
@@ -158,14 +158,14 @@ def prose_to_latex(text: str) -> str:
 
 
 def _latex_section(step: Step, numbers: Numbers | None) -> str:
-    said, shown = step.about(numbers), rows(step, numbers)
-    heading, reason = prose_to_latex(said.heading), prose_to_latex(said.reason)
+    adapted, shown = step.for_numbers(numbers), rows(step, numbers)
+    heading, reason = prose_to_latex(adapted.heading), prose_to_latex(adapted.reason)
     return f"\\section{{{heading}}}\n{reason}\n{_display(_broken(shown, _LINE_WIDTH), _LINE_WIDTH)}"
 
 
 def _slides(step: Step, numbers: Numbers | None) -> list[tuple[str, str, str]]:
     """Return the frames of a step, each with its label, heading and content: its reason, then its equations."""
-    said, shown = step.about(numbers), rows(step, numbers)
+    adapted, shown = step.for_numbers(numbers), rows(step, numbers)
     broken = _broken(shown, _SLIDE_WIDTH)
     total = sum(len(lines) for _row, lines in broken)
     most = -(-total // max(1, -(-total // _SLIDE_LINES)))
@@ -175,8 +175,8 @@ def _slides(step: Step, numbers: Numbers | None) -> list[tuple[str, str, str]]:
         if used and used + len(lines) > most:
             parts.append([])
         parts[-1].append((row, lines))
-    heading, texts = prose_to_latex(said.heading), [_display(part, _SLIDE_WIDTH) if part else "" for part in parts]
-    texts[0] = f"{prose_to_latex(said.reason)}\n{texts[0]}"
+    heading, texts = prose_to_latex(adapted.heading), [_display(part, _SLIDE_WIDTH) if part else "" for part in parts]
+    texts[0] = f"{prose_to_latex(adapted.reason)}\n{texts[0]}"
     labels = (step.key, *(f"{step.key}-{number}" for number in range(2, len(texts) + 1)))
     return [(label, heading, text) for label, text in zip(labels, texts, strict=True)]
 
@@ -196,9 +196,9 @@ def _display(broken: list[tuple[Row, list[str]]], width: int) -> str:
 
 
 def _markdown_section(number: int, step: Step, numbers: Numbers | None) -> str:
-    said = step.about(numbers)
+    adapted = step.for_numbers(numbers)
     equations = (f"$$\n{row.latex}{row.margin}\n$$" for row in rows(step, numbers))
-    return "\n\n".join([f"## {number}. {said.heading}", said.reason, *equations])
+    return "\n\n".join([f"## {number}. {adapted.heading}", adapted.reason, *equations])
 
 
 def _symbols(route: Route) -> str:

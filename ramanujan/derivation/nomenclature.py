@@ -69,9 +69,9 @@ def nomenclature(route: Route) -> dict[str, str]:
     >>> list(nomenclature(ROUTES["energy"]))[:4]
     ['X', '\\\\varphi', '\\\\Phi', 'm']
     """
-    said = (*route.steps, *(step.about(Numbers(1.0, 1.0, 1.0)) for step in route.steps))
+    every_step = (*route.steps, *(step.for_numbers(Numbers(1.0, 1.0, 1.0)) for step in route.steps))
     kinds = (sp.Symbol, AppliedUndef, sp.MatrixSymbol)
-    present = {_name(atom) for step in said for equation in step.equations for atom in equation.atoms(*kinds)}
+    present = {_name(atom) for step in every_step for equation in step.equations for atom in equation.atoms(*kinds)}
     others = {symbol: meaning for symbol, meaning in _OTHERS.items() if _name(symbol) in present}
     return {latex(symbol): meaning for symbol, meaning in (_MACHINE | others).items()}
 

@@ -63,11 +63,11 @@ class Numbers:
         {m: 37/20, m_prime: 5/6, k: 67/2}
         """
         read = {getattr(model, field.name): _entered(getattr(self, field.name)) for field in fields(self)}
-        if stands_for_the_root(self.m, self.m_prime):
+        if is_unit_ratio(self.m, self.m_prime):
             read[m_prime] = unit_frequency_condition().root * read[m]
         return read
 
-    def put_into(self, expression: sp.Basic) -> sp.Basic:
+    def insert_into(self, expression: sp.Basic) -> sp.Basic:
         """Return an expression with the numbers instead of m, m′ and k, and with the same order of terms.
 
         Each part that is a rational function of only m, m′ and k becomes one number.
@@ -76,7 +76,7 @@ class Numbers:
         ----------
         expression : an expression, a matrix or a tuple
 
-        >>> Numbers(2, 1, 3).put_into(m * model.R * model.X + 4 * k * (m + m_prime) * model.phi)
+        >>> Numbers(2, 1, 3).insert_into(m * model.R * model.X + 4 * k * (m + m_prime) * model.phi)
         2*R*X(t) + 36*varphi(t)
         """
         if expression.free_symbols.isdisjoint(GIVEN):
@@ -86,32 +86,32 @@ class Numbers:
         if expression.is_Add:
             return in_order(*(part for parts in self.terms(expression) for part in parts))
         if expression.is_Mul:
-            return self._put_into_product(expression)
-        return expression.func(*map(self.put_into, expression.args))
+            return self._insert_into_product(expression)
+        return expression.func(*map(self.insert_into, expression.args))
 
     def terms(self, total: sp.Basic) -> list[tuple[sp.Basic, ...]]:
         """Return the terms of a sum with the numbers inserted, and with brackets after a number multiplied out."""
         if _is_number(total):
             return [(self.value(total),)]
-        filled = map(self.put_into, ordered_terms(total))
+        filled = map(self.insert_into, ordered_terms(total))
         return [term.args if isinstance(term, InOrder) else (term,) for term in filled]
 
     def value(self, expression: sp.Expr) -> sp.Expr:
         """Return the value of a rational function of m, m′ and k, exactly; m′ may contain a square root."""
-        found = expression.xreplace(self.exact)
-        return found if found.is_Rational else _with_one_root(found)
+        value = expression.xreplace(self.exact)
+        return value if value.is_Rational else _with_one_root(value)
 
-    def _put_into_product(self, expression: sp.Mul) -> sp.Expr:
+    def _insert_into_product(self, expression: sp.Mul) -> sp.Expr:
         """Return a product with the numbers inserted; a factor or denominator of a sum is multiplied into its terms."""
         numbers, others = sift(expression.args, _is_number, binary=True)
         sums = [factor for factor in others if factor.is_Add]
         if not numbers or not sums:
             number = [self.value(sp.Mul(*numbers))] if numbers else []
-            return expression.func(*number, *map(self.put_into, others))
+            return expression.func(*number, *map(self.insert_into, others))
         others.remove(sums[0])
         below, others = sift(others, lambda factor: factor.is_Pow and factor.exp.is_negative, binary=True)
         distributed = sp.Add(*(sp.Mul(*numbers, term, *below) for term in sums[0].args))
-        return self.put_into(sp.Mul(distributed, *others))
+        return self.insert_into(sp.Mul(distributed, *others))
 
 
 def _with_one_root(number: sp.Expr) -> sp.Expr:
@@ -148,7 +148,7 @@ def _is_number(expression: sp.Basic) -> bool:
     )
 
 
-def stands_for_the_root(mass: float, roller_mass: float) -> bool:
+def is_unit_ratio(mass: float, roller_mass: float) -> bool:
     """Return whether m′ is the float nearest to ε*m, or the product of m and the float nearest to ε*.
 
     These two floats differ by at most two units in the last place. Also return True if m is m′/ε*, rounded.
@@ -158,7 +158,7 @@ def stands_for_the_root(mass: float, roller_mass: float) -> bool:
     mass, roller_mass : m, m′ [kg]
 
     >>> from ramanujan import UNIT_MASS_RATIO
-    >>> stands_for_the_root(1.0, UNIT_MASS_RATIO), stands_for_the_root(1.0, 1.127256827)
+    >>> is_unit_ratio(1.0, UNIT_MASS_RATIO), is_unit_ratio(1.0, 1.127256827)
     (True, False)
     """
     root = _root()
@@ -215,8 +215,8 @@ def with_decimal(value: sp.Expr, digits: int = 5) -> str:
     fraction = Number(value.p, value.q)
     needed = next(digits for digits in count(digits) if rounded(fraction, digits) != "1")
     # A long fraction is written as a decimal anyway.
-    says_all = exact.endswith(r"\ldots") and needed <= DIGITS
-    return exact if says_all else f"{exact} {decimal_of(fraction, needed)}"
+    is_complete = exact.endswith(r"\ldots") and needed <= DIGITS
+    return exact if is_complete else f"{exact} {decimal_of(fraction, needed)}"
 
 
 @cache

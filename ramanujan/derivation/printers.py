@@ -272,7 +272,7 @@ class Printed(NamedTuple):
     is_sum: bool = False
 
     @property
-    def says_all(self) -> bool:
+    def needs_no_decimal(self) -> bool:
         """Whether the number needs no decimal, because it is an integer or a decimal."""
         return not self.below and (self.above.isdigit() or r"\ldots" in self.above)
 
@@ -327,7 +327,7 @@ def decimal_of(number: Number, digits: int = DIGITS) -> str:
     return f"= {text}" if is_exact else rf"\approx {text}"
 
 
-def _decimal(number: Number, rounding: str, digits: int, goes_on: str = "") -> tuple[str, bool]:
+def _decimal(number: Number, rounding: str, digits: int, ellipsis: str = "") -> tuple[str, bool]:
     """Return a decimal, with a power of ten for many zeros and a mark if it is not exact, and whether it is exact."""
     value = number.numerator
     quotient = Context(prec=digits, rounding=rounding).divide(value, number.q)
@@ -337,9 +337,9 @@ def _decimal(number: Number, rounding: str, digits: int, goes_on: str = "") -> t
     exponent = quotient.adjusted()
     has_power = not -5 <= exponent < digits
     text = f"{quotient.scaleb(-exponent) if has_power else quotient:f}"
-    if is_exact or not goes_on:
+    if is_exact or not ellipsis:
         text = text.rstrip("0").rstrip(".") if "." in text else text
     else:
-        text += goes_on
+        text += ellipsis
     text = in_latex(text)
     return rf"{text} \times 10^{{{exponent}}}" if has_power else text, is_exact

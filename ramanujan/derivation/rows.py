@@ -88,14 +88,14 @@ class Row:
         beside : characters of the longest left side in the alignment
         """
         width = max(width - max(beside - _SHORT, 0), _SHORTEST)
-        found = [self.terms[0]]
+        lines = [self.terms[0]]
         for term in self.terms[1:]:
-            if extent(found[-1] + term) > width:
-                found.append(term.strip())
+            if extent(lines[-1] + term) > width:
+                lines.append(term.strip())
             else:
-                found[-1] += term
-        found[-1] += self.value
-        return found
+                lines[-1] += term
+        lines[-1] += self.value
+        return lines
 
 
 def rows(step: Step, numbers: Numbers | None = None, make: Callable[..., Row] | None = None) -> list[Row]:
@@ -112,18 +112,18 @@ def rows(step: Step, numbers: Numbers | None = None, make: Callable[..., Row] | 
     >>> [row.latex for row in rows(ROUTES["energy"]["frequency"], Numbers(1, 1, 10))][0]
     'M_{e} = \\\\frac{99}{26} \\\\approx 3.8076923\\\\,\\\\mathrm{kg}'
     """
-    said = step.about(numbers)
-    none = [""] * len(said.equations)
+    adapted = step.for_numbers(numbers)
+    none = [""] * len(adapted.equations)
     # An operation that leads to several equations is shown beside the first one.
-    once = ("" if above == each else each for above, each in pairwise(("", *(said.operations or none))))
-    found: dict[Row, Row] = {}
-    for equation, label, operation, marked in zip(
-        said.equations, said.labels or none, once, said.marks or none, strict=True
+    once = ("" if above == each else each for above, each in pairwise(("", *(adapted.operations or none))))
+    distinct: dict[Row, Row] = {}
+    for equation, label, operation, marks in zip(
+        adapted.equations, adapted.labels or none, once, adapted.marks or none, strict=True
     ):
-        dress = tuple((SIDES.index(side), int(place) - 1, _MARK) for side, place in _PLACE.findall(marked))
-        made = make(equation, label, dress) if make else row(equation, numbers, label=label, dress=dress)
-        found.setdefault(made, replace(made, operation=operation))
-    return list(found.values())
+        dress = tuple((SIDES.index(side), int(place) - 1, _MARK) for side, place in _PLACE.findall(marks))
+        new_row = make(equation, label, dress) if make else row(equation, numbers, label=label, dress=dress)
+        distinct.setdefault(new_row, replace(new_row, operation=operation))
+    return list(distinct.values())
 
 
 def row(
@@ -173,13 +173,13 @@ def _value(equation: sp.Eq, numbers: Numbers) -> str:
 
     The mass ratio is a setting, so its decimal is omitted.
     """
-    value = numbers.put_into(equation.rhs)
+    value = numbers.insert_into(equation.rhs)
     is_computed = equation.rhs.free_symbols and isinstance(value, sp.Expr) and not isinstance(value, InOrder)
     number = exact(value) if is_computed and value.is_number and equation.lhs != epsilon else None
     if number is None:
         return ""
     unit = _UNITS.get(equation.lhs, "")
-    return unit if number_to_latex(number).says_all else f" {decimal_of(number)}{unit}"
+    return unit if number_to_latex(number).needs_no_decimal else f" {decimal_of(number)}{unit}"
 
 
 def extent(formula: str) -> int:
@@ -217,8 +217,8 @@ def widest(shown: Iterable[Row]) -> int:
 
 def _marked(shown: Row, to_zero: bool, width: int, beside: int, longest: int, room: float) -> str:
     first, *others = lines = shown.lines(width, beside)
-    made, taken, behind = f"&{shown.latex}", extent(shown.left + shown.right), ""
+    text, taken, behind = f"&{shown.latex}", extent(shown.left + shown.right), ""
     if not to_zero:
-        made = rf"{shown.left} &= {first}" + "".join(rf" \\[.3em] &\quad {other}" for other in others)
+        text = rf"{shown.left} &= {first}" + "".join(rf" \\[.3em] &\quad {other}" for other in others)
         taken, behind = beside + (longest or extent(lines[-1])), " &&" if longest else ""
-    return f"{made}{behind if taken <= room else _BELOW}{shown.margin}" if shown.margin else made
+    return f"{text}{behind if taken <= room else _BELOW}{shown.margin}" if shown.margin else text

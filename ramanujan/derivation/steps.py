@@ -44,7 +44,7 @@ class Step:
     operations: tuple[str, ...] = ()
     marks: tuple[str, ...] = ()
 
-    def about(self, numbers: Numbers | None) -> "Step":
+    def for_numbers(self, numbers: Numbers | None) -> "Step":
         """Return the step, in symbols, for the machine with these numbers; without numbers, return the step."""
         return self.special(numbers) if numbers and self.special else self
 
@@ -64,8 +64,8 @@ def blackboard(operation: str, *what: sp.Basic | str) -> str:
     >>> print(blackboard("insert {what}", sp.Symbol("x"), "y"))
     \\text{insert $x$, $y$}
     """
-    said = ", ".join(f"${each if isinstance(each, str) else latex(each)}$" for each in what)
-    return rf"\text{{{operation.format(what=said)}}}"
+    formulas = ", ".join(f"${each if isinstance(each, str) else latex(each)}$" for each in what)
+    return rf"\text{{{operation.format(what=formulas)}}}"
 
 
 def insert(*what: sp.Basic | str) -> str:

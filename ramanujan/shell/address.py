@@ -200,7 +200,7 @@ def read_once(page: str, parameters: Sequence[URLParameter]) -> list[str]:
     return messages
 
 
-def held(parameter: URLParameter) -> Any:
+def current(parameter: URLParameter) -> Any:
     """Return the value of a URL parameter that Streamlit does not bind, or its default value."""
     value = st.session_state.get(parameter.name)
     return parameter.default if value is None else value
@@ -216,13 +216,13 @@ def keep(*parameters: URLParameter) -> Any:
             if not fits(parameter):
                 st.query_params.pop(parameter.name, None)
             continue
-        value = held(parameter)
+        value = current(parameter)
         text = None if value == parameter.default else parameter.write(value)
         if text is None:
             st.query_params.pop(parameter.name, None)
         elif st.query_params.get(parameter.name) != text:
             st.query_params[parameter.name] = text
-    return held(parameters[-1])
+    return current(parameters[-1])
 
 
 def link(query: Mapping[str, str], path: str | None = None) -> SplitResult:

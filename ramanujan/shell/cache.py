@@ -21,7 +21,7 @@ _counting = threading.Lock()
 
 
 @contextmanager
-def giving_way() -> Iterator[None]:
+def responsive() -> Iterator[None]:
     """Shorten the switch interval of threads during a long computation, so that other visitors get fast answers.
 
     Python runs one thread at a time. Another thread waits for up to one switch interval, many times for each answer.
@@ -39,7 +39,7 @@ def giving_way() -> Iterator[None]:
 
 
 @st.cache_resource(show_spinner=False)
-@giving_way()
+@responsive()
 def route(name: str, equal_masses: bool = False) -> Route:
     """Return a route of the derivation, for any masses or for m′ = m."""
     return ROUTES.with_equal_masses(name) if equal_masses else ROUTES[name]

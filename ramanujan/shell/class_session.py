@@ -32,67 +32,67 @@ FOLLOWED_EVERY = 0.5
 """Interval at which a wall or another desk reads the view of the desk [s]."""
 
 _KEY, _SEAT, _WALL = "class_key", "class_seat", "class_wall"
-_WAITS = "class_waits"
+_AWAITED = "class_waits"
 """Session state: the code of the class in which this session waits for a seat."""
 _SESSION = "class_session"
 """Session state: a random name, used if the browser stores no cookies."""
-_HERE = "here"
+_LOCAL = "here"
 """Placeholder for the IP address of a visitor on the server’s own computer, for whom Streamlit returns none."""
 _SETTINGS = "class_settings"
 """Session state: the settings of the desk that this session last sent or received."""
 _FOLLOWED = "class_followed"
 """Session state: the desk’s last message about its stage, and the message to the stage of this screen."""
-_JUDGED = "class_link_judged"
-_SAID = "class_said"
+_READ_ADDRESS = "class_link_judged"
+_REFUSAL = "class_said"
 """Session state: the error message of the last action."""
-_SHOWN = "class_said_with"
+_REFUSED_QUESTION = "class_said_with"
 """Session state: the question with which the error message was first shown."""
 
 
-def arrive() -> None:
+def restore_role() -> None:
     """Read the role from the address, once in a session. Afterwards write the role into the address."""
-    if not st.session_state.get(_JUDGED):
-        st.session_state[_JUDGED] = True
-        code = address.held(CLASS)
-        if key := address.held(LECTURER):
-            attempt(_sit_at_desk, key)
-        elif code and address.held(WALL):
+    if not st.session_state.get(_READ_ADDRESS):
+        st.session_state[_READ_ADDRESS] = True
+        code = address.current(CLASS)
+        if key := address.current(LECTURER):
+            run_or_refuse(_sit_at_desk, key)
+        elif code and address.current(WALL):
             st.session_state[_WALL] = code.upper()
         elif code:
-            attempt(take_seat, code)
-    if mine := key_held():
-        _write_address(parts_of(mine)[0], lecturer=mine)
-    elif code := wall_held():
+            run_or_refuse(take_seat, code)
+    if key := lecturer_key():
+        _write_address(parts_of(key)[0], lecturer=key)
+    elif code := wall_code():
         _write_address(code, wall="on")
-    elif code := awaited():
+    elif code := awaited_class():
         _write_address(code)
-    elif seat := seat_held():
+    elif seat := student_seat():
         _write_address(seat.code)
 
 
-def key_held() -> str | None:
+def lecturer_key() -> str | None:
     """Return the lecturer's key, if this session is the lecturer's."""
     return st.session_state.get(_KEY)
 
 
-def seat_held() -> Seat | None:
+def student_seat() -> Seat | None:
     """Return the student's seat, if this session is a student's."""
     return st.session_state.get(_SEAT)
 
 
-def awaited() -> str | None:
+def awaited_class() -> str | None:
     """Return the code of the class in which this session waits for a seat, if there is one."""
-    return st.session_state.get(_WAITS)
+    return st.session_state.get(_AWAITED)
 
 
-def wall_held() -> str | None:
+def wall_code() -> str | None:
     """Return the code of the class, if this session is its wall."""
     return st.session_state.get(_WALL)
 
 
 def phase_of(stop: Stop) -> Phase | None:
     """Return the phase of a stop in the class; None if this is not the lecturer’s session."""
-    if (key := key_held()) is None:
+    if (key := lecturer_key()) is None:
         return None
     try:
         last = shared().last_state(shared().code_of(key), stop.id)
@@ -120,12 +120,12 @@ def open_class(lifetime: float = DAY) -> None:
 def take_seat(code: str) -> None:
     """Join the class with this code, or wait for a seat in it. A session has at most one seat."""
     named = browser() or st.session_state.setdefault(_SESSION, secrets.token_urlsafe(9))
-    for name in (_SEAT, _WAITS):
+    for name in (_SEAT, _AWAITED):
         st.session_state.pop(name, None)
     try:
         st.session_state[_SEAT] = shared().join(code, voter_of(named, code), network())
     except CrowdError:
-        st.session_state[_WAITS] = read_code(code)
+        st.session_state[_AWAITED] = read_code(code)
         raise
 
 
@@ -133,12 +133,12 @@ def browser() -> str:
     """Return the random name of this browser; an empty text if the browser stores nothing for this page."""
     if name := st.context.cookies.get(NAME):
         return name
-    return "" if forgets_seat() else address.held(FRAME)
+    return "" if forgets_seat() else address.current(FRAME)
 
 
 def forgets_seat() -> bool:
     """Return whether this page is in a frame of another site, for which the browser stores nothing."""
-    return address.held(FRAME) == NOTHING_STORED and NAME not in st.context.cookies
+    return address.current(FRAME) == NOTHING_STORED and NAME not in st.context.cookies
 
 
 def network() -> str:
@@ -148,54 +148,54 @@ def network() -> str:
     For their connections it is the last address in X-Forwarded-For, which the proxy itself writes. Otherwise the
     header is ignored, because a visitor can write anything into it.
     """
-    return st.context.ip_address or _HERE
+    return st.context.ip_address or _LOCAL
 
 
 def leave() -> None:
     """Give up the role in the class."""
-    for name in (_KEY, _SEAT, _WAITS, _WALL, _SAID):
+    for name in (_KEY, _SEAT, _AWAITED, _WALL, _REFUSAL):
         st.session_state.pop(name, None)
     _write_address()
 
 
-def attempt(act: Callable, *values: object) -> None:
+def run_or_refuse(act: Callable, *values: object) -> None:
     """Call a function of the class, and store the message of a `ClassError`."""
-    for name in (_SAID, _SHOWN):
+    for name in (_REFUSAL, _REFUSED_QUESTION):
         st.session_state.pop(name, None)
     try:
         act(*values)
     except ClassError as error:
-        st.session_state[_SAID] = str(error)
+        st.session_state[_REFUSAL] = str(error)
 
 
 def refusal() -> str | None:
     """Return the error message of the last `attempt`, if there is one."""
-    return st.session_state.get(_SAID)
+    return st.session_state.get(_REFUSAL)
 
 
 def forget_refusal(question: tuple[str, Vote]) -> None:
     """Delete an error message that was shown with an earlier question. A question is a stop and a vote."""
-    if _SAID in st.session_state and st.session_state.setdefault(_SHOWN, question) != question:
-        st.session_state.pop(_SAID)
+    if _REFUSAL in st.session_state and st.session_state.setdefault(_REFUSED_QUESTION, question) != question:
+        st.session_state.pop(_REFUSAL)
 
 
-def tell_settings(key: str) -> None:
+def send_settings(key: str) -> None:
     """Send the values of the desk's sliders to the wall if they have changed."""
     machine = sidebar.oscillator()
-    held = {name: getattr(machine, name) for name in MACHINE} | {"compression": sidebar.compression()}
-    if (text := urlencode(held)) != st.session_state.get(_SETTINGS):
+    values = {name: getattr(machine, name) for name in MACHINE} | {"compression": sidebar.compression()}
+    if (text := urlencode(values)) != st.session_state.get(_SETTINGS):
         with suppress(ClassError):
             shared().set_machine(key, text)
             st.session_state[_SETTINGS] = text
 
 
-def take_settings(settings: str | None) -> None:
+def apply_settings(settings: str | None) -> None:
     """Set the sliders of the wall to the values of the desk's sliders."""
     st.session_state[_SETTINGS] = settings
     if settings:
-        held = {name: float(text) for name, text in parse_qsl(settings)}
-        compression = held.pop("compression")
-        machine = Oscillator(**held)
+        values = {name: float(text) for name, text in parse_qsl(settings)}
+        compression = values.pop("compression")
+        machine = Oscillator(**values)
         if not sidebar.holds(machine, compression):
             sidebar.take_machine(machine, compression)
             messages.run_again()
@@ -206,14 +206,15 @@ def settings_differ(settings: str | None) -> bool:
     return settings != st.session_state.get(_SETTINGS)
 
 
-def tell_seen(stop: Stop, seen: dict[str, Any]) -> None:
+def send_view(stop: Stop, view: dict[str, Any]) -> None:
     """Send the desk's view of a stop's machine to all screens, if this is the current stop of the class."""
-    key = key_held()
+    key = lecturer_key()
     with suppress(ClassError):
         if key and shared().question(parts_of(key)[0]).stop == stop.id:
-            text = json.dumps(told := {"stop": stop.id, **seen})
+            shown = {"stop": stop.id, **view}
+            text = json.dumps(shown)
             shared().set_view(key, text)
-            st.session_state[_FOLLOWED] = text, {**told, "ago": 0.0, "own": True}
+            st.session_state[_FOLLOWED] = text, {**shown, "ago": 0.0, "own": True}
 
 
 def follow(code: str) -> None:
@@ -221,11 +222,11 @@ def follow(code: str) -> None:
     text, ago = shared().view(code)
     if text is None:
         return
-    known, seen = st.session_state.get(_FOLLOWED, (None, None))
+    known, view = st.session_state.get(_FOLLOWED, (None, None))
     if known != text:
-        seen = {**json.loads(text), "ago": ago}
-        st.session_state[_FOLLOWED] = text, seen
-    components.publish("class_seen_published", {f"view/stop_{seen['stop']}": seen})
+        view = {**json.loads(text), "ago": ago}
+        st.session_state[_FOLLOWED] = text, view
+    components.publish("class_seen_published", {f"view/stop_{view['stop']}": view})
 
 
 def _sit_at_desk(key: str) -> None:

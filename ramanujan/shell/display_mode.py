@@ -38,7 +38,7 @@ def in_browser() -> bool:
 
 def is_projector() -> bool:
     """Return whether the projector view is on: large text, one slide at a time, the sidebar closed."""
-    return address.held(VIEW) == "projector"
+    return address.current(VIEW) == "projector"
 
 
 def slide(name: str, title: str) -> AbstractContextManager:
@@ -107,12 +107,12 @@ def pager() -> None:
 
 def hides(*parts: str) -> bool:
     """Return whether the link hides at least one of these parts."""
-    return not set(parts).isdisjoint(address.held(HIDE))
+    return not set(parts).isdisjoint(address.current(HIDE))
 
 
 def on_stage() -> tuple[str, ...]:
     """Return the hidden parts that belong to a stage."""
-    return tuple(part for part in address.held(HIDE) if part in stage.PARTS)
+    return tuple(part for part in address.current(HIDE) if part in stage.PARTS)
 
 
 def bar() -> None:

@@ -20,7 +20,7 @@ def begin() -> bool:
     # Without a browser no machine moves, and the projector view needs all slides from the start.
     can_wait = is_first and display_mode.in_browser() and st.query_params.get("view") != "projector"
     # After a restart of the server, the machine of an open page is already moving.
-    moves = components.mount_services(theme.current(), waits=can_wait, on_moving=messages.stay)
+    moves = components.mount_services(theme.current(), waits=can_wait, on_moving=messages.keep_in_next_run)
     st.session_state[_ONLY_MACHINE] = can_wait and not moves
     return only_machine()
 

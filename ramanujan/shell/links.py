@@ -21,7 +21,7 @@ _TRACKING = re.compile(
 )
 """Names of tracking parameters that other programs add to a link, such as utm_source, fbclid or gclid."""
 
-KEPT_EVERYWHERE = (*display_mode.URL_PARAMETERS, *class_keys.URL_PARAMETERS)
+EVERY_PAGE = (*display_mode.URL_PARAMETERS, *class_keys.URL_PARAMETERS)
 """URL parameters of every page, besides those of the sliders."""
 
 

@@ -51,14 +51,14 @@ def are_shown() -> bool:
     return bool(st.session_state.get(_ABOUT_ADDRESS) or st.session_state.get(_SHOWN))
 
 
-def stay() -> None:
+def keep_in_next_run() -> None:
     """Keep the messages during the next run, because it does not follow an action of the visitor."""
     st.session_state[_STAY] = True
 
 
 def run_again() -> None:
     """Run the page again to show new data; the messages stay."""
-    stay()
+    keep_in_next_run()
     st.rerun()
 
 

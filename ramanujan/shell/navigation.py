@@ -54,24 +54,24 @@ class Page:
         """The URL parameters of the page, besides those of every page."""
         return self._declared("URL_PARAMETERS")
 
-    def lead(self) -> bool:
+    def draw_header(self) -> bool:
         """Draw the controls at the top of the page and return True; return False to leave them to the sidebar.
 
         Call it outside of the page's script: Streamlit deletes the widgets of a script when another page opens.
         """
-        return self._declared("lead", lambda: False)()
+        return self._declared("draw_header", lambda: False)()
 
     def uses_sidebar(self) -> bool:
         """Return whether the page in its current state uses the sidebar; if not, the sidebar is closed at first."""
         return self._declared("uses_sidebar", lambda: True)()
 
-    def withheld(self) -> Collection[str]:
+    def withheld_presets(self) -> Collection[str]:
         """Return the presets that the sidebar omits, because they would reveal an answer."""
-        return self._declared("withheld", tuple)()
+        return self._declared("withheld_presets", tuple)()
 
-    def aside(self) -> Collection[str]:
+    def folded_parameters(self) -> Collection[str]:
         """Return the parameters with sliders in an expander, because they only change the motion of the picture."""
-        return self._declared("ASIDE", ())
+        return self._declared("FOLDED_PARAMETERS", ())
 
     def warm_up(self) -> None:
         """Import the page, and fill the caches that its first visitor needs."""

@@ -16,15 +16,15 @@ LIMITS = PARAMETERS["compression"].limits
 """Smallest and largest x₀ [m]."""
 
 
-def url_parameters(kept: str = "") -> tuple[address.URLParameter, ...]:
+def url_parameters(prefix: str = "") -> tuple[address.URLParameter, ...]:
     """Return the URL parameters for the view of the stages with this prefix."""
     refused = _("The value of {name} in the address was ignored: it must be periods, with commas between them.")
     turns = r"-?\d{1,6}(\.\d{1,6})?"
     return (
-        address.Several(f"{kept}layers", ("none", *stage.LAYERS)),
-        address.Choice(f"{kept}speed", ("1", "0.5", "0.1"), "1"),
-        address.Choice(f"{kept}from", ("ground", "block"), "ground"),
-        address.Text(f"{kept}paused", rf"{turns}(,{turns}){{1,39}}", refused),
+        address.Several(f"{prefix}layers", ("none", *stage.LAYERS)),
+        address.Choice(f"{prefix}speed", ("1", "0.5", "0.1"), "1"),
+        address.Choice(f"{prefix}from", ("ground", "block"), "ground"),
+        address.Text(f"{prefix}paused", rf"{turns}(,{turns}){{1,39}}", refused),
     )
 
 
@@ -42,6 +42,6 @@ def mount(payload: Mapping[str, Any] | None, **more: Any) -> None:
     stage.mount(payload, **{"limits": LIMITS, "watch": WATCH, **more}, hide=hidden)
 
 
-def tell(payload: Mapping[str, Any], **more: Any) -> None:
+def publish(payload: Mapping[str, Any], **more: Any) -> None:
     """Publish the machine of a stage that was mounted without data, with the parts that the link hides."""
     stage.publish(payload, hide=display_mode.on_stage(), **more)

@@ -136,8 +136,8 @@ def tabs(key: Choice) -> dict[str, Any]:
         st.session_state[key.name] = ids.get(st.session_state[widget], key.default)
 
     # Streamlit identifies a tab only by its label.
-    if st.session_state.get(widget, words[key.default]) != words[address.held(key)]:
-        st.session_state[widget] = words[address.held(key)]
+    if st.session_state.get(widget, words[key.default]) != words[address.current(key)]:
+        st.session_state[widget] = words[address.current(key)]
     drawn = st.tabs(list(words.values()), key=widget, on_change=chosen)
     address.keep(key)
     return dict(zip(words, drawn, strict=True))

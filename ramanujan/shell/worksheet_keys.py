@@ -54,7 +54,7 @@ def read_name(text: str) -> str | None:
     return read_code(text, LETTERS)
 
 
-def fits(held: address.Text, worksheet: str) -> bool:
+def fits(parameter: address.Text, worksheet: str) -> bool:
     """Return whether the value of a URL parameter is the key of the worksheet with this name."""
-    key = address.keep(held)
+    key = address.keep(parameter)
     return bool(key) and name(key) == worksheet

@@ -38,7 +38,7 @@ from typing import Any
 import streamlit as st
 
 from ramanujan.browser import modules
-from ramanujan.translation import _, offered
+from ramanujan.translation import _, menu_languages
 
 
 def mount_services(theme: str, waits: bool, on_moving: Callable[[], None]) -> bool:
@@ -175,7 +175,7 @@ def link(private: Sequence[str], keys: Sequence[str]) -> Any:
         "file": STANDALONE_FILE,
         "private": list(private),
         "keys": list(keys),
-        "languages": [each._asdict() for each in offered()],
+        "languages": [each._asdict() for each in menu_languages()],
     }
     return modules.component("components/link")(key="link", data=data)
 

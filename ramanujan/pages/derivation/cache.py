@@ -22,7 +22,7 @@ from ramanujan.derivation.remarks import conserved_momenta
 from ramanujan.derivation.rows import Dress, Row, on_a_phone, row, rows
 from ramanujan.lesson.picture import machine_tikz
 from ramanujan.shell import theme
-from ramanujan.shell.cache import giving_way, route
+from ramanujan.shell.cache import responsive, route
 from ramanujan.shell.formulas import ROOM, beside_the_machine
 
 _CUBE = sp.Integer(3)
@@ -47,9 +47,9 @@ def step(
     The equations have two layouts: each operation is behind its line, or below its line for a phone.
     """
     symbolic = route(name, equal_masses).steps[number]
-    said = symbolic.about(numbers)
+    adapted = symbolic.for_numbers(numbers)
     shown = rows(symbolic, numbers, partial(_row, numbers=numbers, inks=dict(inks)))
-    return said.heading, said.reason, beside_the_machine(shown, math.inf if wide else ROOM), on_a_phone(shown)
+    return adapted.heading, adapted.reason, beside_the_machine(shown, math.inf if wide else ROOM), on_a_phone(shown)
 
 
 def all_routes() -> list[Route]:
@@ -58,14 +58,14 @@ def all_routes() -> list[Route]:
 
 
 @st.cache_data(show_spinner=False)
-def asked_in(name: str, number: int) -> tuple[str, ...]:
+def questions_of_step(name: str, number: int) -> tuple[str, ...]:
     """Return the questions that a step of a route, counted from 0, answers for the first time."""
     steps = route(name).steps
 
-    def first(asked: Question) -> Step | None:
+    def first(wanted: Question) -> Step | None:
         if name == "euler_lagrange":
-            return route(name)[asked.steps[-1]]
-        return next((step for step in steps if any(asked.right in each.args for each in step.equations)), None)
+            return route(name)[wanted.steps[-1]]
+        return next((step for step in steps if any(wanted.right in each.args for each in step.equations)), None)
 
     return tuple(each for each in QUESTIONS if first(question(each)) is steps[number])
 
@@ -87,10 +87,10 @@ def result(numbers: Numbers | None) -> list[str]:
 @st.cache_data(show_spinner=False, max_entries=256)
 def spectrum(numbers: Numbers | None) -> tuple[list[str], str]:
     """Return the shapes of the three modes, the oscillating one first, and the conserved momenta of the zero modes."""
-    found = _modes()
+    all_modes = _modes()
     name = dict(zip(COORDINATES, MOMENTA, strict=True))
     momenta = [row(equation(name[q], p), numbers) for q, p in conserved_momenta().items()]
-    shapes = [row(equation("v", shape), numbers).latex for shape in (found.mode_shape, *found.zero_modes)]
+    shapes = [row(equation("v", shape), numbers).latex for shape in (all_modes.mode_shape, *all_modes.zero_modes)]
     return shapes, beside_the_machine(momenta)
 
 
@@ -108,17 +108,17 @@ def document(
 
     The picture on the slides has the radius and the compression [m] in `drawn`. A notebook works for any masses.
     """
-    way = route(name, equal_masses and kind != "notebook")
+    chosen_route = route(name, equal_masses and kind != "notebook")
     if drawn and kind in ("slides", "step"):
         radius, compression = drawn
         picture = machine_tikz(Oscillator(radius=radius), compression, theme.on_paper())
-        return to_beamer(way, numbers, picture, step)
+        return to_beamer(chosen_route, numbers, picture, step)
     write = {"latex": to_latex, "markdown": to_markdown, "notebook": to_notebook}[kind]
-    return write(way, numbers)
+    return write(chosen_route, numbers)
 
 
 @st.cache_resource(show_spinner=False)
-@giving_way()
+@responsive()
 def _modes() -> Modes:
     return modes(machine())
 

@@ -14,7 +14,7 @@ MODES = stages.url_parameters("modes_")
 """The URL parameters for the view of the three machines."""
 
 
-def three_modes(numbers: Numbers | None) -> None:
+def draw_modes(numbers: Numbers | None) -> None:
     """Draw the three modes in three columns."""
     st.header(_("Three normal modes, one of them oscillates"), anchor=False)
     words, formulas = columns("modes")
@@ -63,15 +63,15 @@ def three_modes(numbers: Numbers | None) -> None:
             )
             st.latex(shape)
             st.markdown(explanation)
-    tell_modes()
+    publish_machine()
 
 
 @st.fragment(key="modes")
-def tell_modes() -> None:
+def publish_machine() -> None:
     """Publish the machine to the three stages. A slider reruns only this fragment of the section."""
     machine, compression = sidebar.oscillator(), sidebar.compression()
     # Slow enough to watch: half of x₀ in the time of one period.
     speed = compression / 2 / machine.period
     starts = {"swing": None, "glide": InitialState(X_dot=speed), "roll": InitialState(Phi_dot=speed / machine.radius)}
     for key, initial in starts.items():
-        stages.tell(stage.payload(machine, compression, initial=initial), key=f"mode_{key}")
+        stages.publish(stage.payload(machine, compression, initial=initial), key=f"mode_{key}")

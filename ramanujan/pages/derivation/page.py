@@ -13,12 +13,12 @@ from ramanujan.derivation.nomenclature import DOTS
 from ramanujan.derivation.numbers import Numbers, stated
 from ramanujan.derivation.remarks import remarks
 from ramanujan.pages.derivation import cache
-from ramanujan.pages.derivation.modes import MODES, three_modes
+from ramanujan.pages.derivation.modes import MODES, draw_modes
 from ramanujan.shell import address, display_mode, messages, navigation, sidebar, stages, theme, widgets
-from ramanujan.shell.cache import giving_way, symbols
+from ramanujan.shell.cache import responsive, symbols
 from ramanujan.shell.display_mode import columns, slide
-from ramanujan.shell.sections.cubes import stacks
-from ramanujan.shell.sections.questions import QUESTION, ask, is_solved, take, title, try_it
+from ramanujan.shell.sections.cubes import draw_stacks
+from ramanujan.shell.sections.questions import QUESTION, draw_question, draw_section, is_solved, judge_typed, title
 from ramanujan.translation import _
 
 LONGEST_ROUTE = 99
@@ -30,7 +30,7 @@ MASSES = address.Choice("masses", {"any": _("Any masses"), "equal": _("Equal mas
 STEP = address.Count("step", LONGEST_ROUTE)
 URL_PARAMETERS = (ROUTE, VIEW, VALUES, MASSES, STEP, QUESTION, *MODES)
 
-ASIDE = ("compression",)
+FOLDED_PARAMETERS = ("compression",)
 # The height of a step in a lecture [px], as in page.css.
 _STEP_HEIGHT = 368
 
@@ -60,15 +60,15 @@ class Setting:
 
 def show() -> None:
     """Draw the page."""
-    setting = the_route()
+    setting = draw_route()
     with slide("results", _("The results")):
-        compare()
+        compare_routes()
     with slide("modes", _("The modes")):
-        three_modes(present() if setting.numbers else None)
+        draw_modes(current_numbers() if setting.numbers else None)
     if not display_mode.is_projector():
-        margin()
+        draw_notes_on_paper()
     with slide("try", _("Try it yourself")):
-        try_it()
+        draw_section()
     components.return_focus("route", "show", "values", "masses")
     if not setting.numbers:
         sidebar.follow("beside", "results", "modes", "asked_machine")
@@ -77,9 +77,9 @@ def show() -> None:
 # ---- display options
 
 
-def the_route() -> Setting:
+def draw_route() -> Setting:
     """Draw the options, the steps and the machine. In the projector view they share one slide."""
-    setting = the_setting()
+    setting = read_setting()
     with slide("lecture", _("The steps")):
         st.title(_("Many ways to one frequency"), anchor=False)
         head = st.container(horizontal=True, vertical_alignment="center", key="choices")
@@ -91,58 +91,58 @@ def the_route() -> Setting:
         with steps, st.skeleton(height=_STEP_HEIGHT):
             cache.all_routes()
         with head:
-            choose()
+            draw_options()
             turn_pages(setting)
         with steps:
-            the_steps(setting)
+            draw_steps(setting)
     if not display_mode.is_projector():
-        explain(setting)
-        take_home(setting)
+        explain_symbols(setting)
+        offer_files(setting)
     return setting
 
 
-def the_setting() -> Setting:
+def read_setting() -> Setting:
     """Return the values of the options. The projector view shows one step at a time."""
-    in_numbers = address.held(VALUES) == "numbers" and not display_mode.hides("numbers")
-    is_lecture = address.held(VIEW) == "lecture" or display_mode.is_projector()
-    equal_masses, numbers = address.held(MASSES) == "equal", present() if in_numbers else None
+    in_numbers = address.current(VALUES) == "numbers" and not display_mode.hides("numbers")
+    is_lecture = address.current(VIEW) == "lecture" or display_mode.is_projector()
+    equal_masses, numbers = address.current(MASSES) == "equal", current_numbers() if in_numbers else None
     if numbers and equal_masses:
         numbers = numbers.with_equal_masses
-    return Setting(address.held(ROUTE), is_lecture, equal_masses, numbers)
+    return Setting(address.current(ROUTE), is_lecture, equal_masses, numbers)
 
 
-def present() -> Numbers:
+def current_numbers() -> Numbers:
     """Return the current masses and spring constant."""
     return Numbers.of(sidebar.oscillator())
 
 
-def choose() -> None:
+def draw_options() -> None:
     """Draw the options. All but the route are in a popover."""
     hidden: dict[str, Any] = {"label_visibility": "collapsed"}
     titles = {name: cache.route(name).title for name in ROUTE.options}
-    widgets.selectbox(ROUTE, _("Route"), titles, on_change=start_over, **hidden)
+    widgets.selectbox(ROUTE, _("Route"), titles, on_change=select_first_step, **hidden)
     with st.popover(_("Show"), icon=":material/tune:", key="more"):
         if not display_mode.is_projector():
             widgets.segmented_control(VIEW, _("How to show the steps"), **hidden)
         if not display_mode.hides("numbers"):
             widgets.segmented_control(VALUES, _("Symbols or numbers"), **hidden)
-        widgets.segmented_control(MASSES, _("For which masses"), on_change=stay, **hidden)
+        widgets.segmented_control(MASSES, _("For which masses"), on_change=keep_step_in_range, **hidden)
 
 
-def start_over() -> None:
+def select_first_step() -> None:
     """Select the first step of the new route, in a callback."""
     st.session_state[STEP.name] = 1
 
 
-def stay() -> None:
+def keep_step_in_range() -> None:
     """Keep the current step for other masses, or select the last one if there are fewer steps."""
-    steps = cache.route(address.held(ROUTE), address.held(MASSES) == "equal").steps
-    st.session_state[STEP.name] = min(address.held(STEP), len(steps))
+    steps = cache.route(address.current(ROUTE), address.current(MASSES) == "equal").steps
+    st.session_state[STEP.name] = min(address.current(STEP), len(steps))
 
 
-def turned(route: str, step: int) -> None:
+def select_step(route: str, step: int) -> None:
     """Write the selected step into the address. Ignore a late message about another route."""
-    if route == address.held(ROUTE):
+    if route == address.current(ROUTE):
         st.session_state[STEP.name] = step
 
 
@@ -156,34 +156,34 @@ def turn_pages(setting: Setting) -> None:
     machine = sidebar.oscillator()
     if setting.is_lecture:
         keys = [step.key for step in setting.steps]
-        components.steps(setting.route, [step.heading for step in setting.steps], turned, keys[-1] == "root")
-        if keys[min(address.held(STEP), len(keys)) - 1] == "root":
+        components.steps(setting.route, [step.heading for step in setting.steps], select_step, keys[-1] == "root")
+        if keys[min(address.current(STEP), len(keys)) - 1] == "root":
             machine = replace(machine, m_prime=UNIT_MASS_RATIO * machine.m)
-    stages.tell(stage.payload(machine, sidebar.compression()), key="beside", more=sidebar.followed())
+    stages.publish(stage.payload(machine, sidebar.compression()), key="beside", more=sidebar.followed())
 
 
 # ---- the steps
 
 
-def the_steps(setting: Setting) -> None:
+def draw_steps(setting: Setting) -> None:
     """Draw the steps of the route. The page of a lecture shows one of them."""
     steps = len(setting.steps)
-    if address.held(STEP) > steps:
+    if address.current(STEP) > steps:
         messages.warn(address.Count(STEP.name, steps).message())
-        start_over()
+        select_first_step()
     address.keep(STEP)
     if not setting.is_lecture:
         for number in range(1, steps + 1):
-            draw(setting, number)
+            draw_step(setting, number)
         return
     # The hidden steps leave no gaps. page.css hides them, and steps.js shows one.
     with st.container(key="lecture", gap=None):
         for number in range(1, steps + 1):
             with st.container(key=f"step_{number}"):
-                draw(setting, number)
+                draw_step(setting, number)
 
 
-def draw(setting: Setting, number: int) -> None:
+def draw_step(setting: Setting, number: int) -> None:
     """Draw a step, counted from 1."""
     colors = theme.colors()
     inks = (*((part, colors[f"{part}_ink"]) for part in PARTS), ("cube", colors["primary"]))
@@ -198,10 +198,10 @@ def draw(setting: Setting, number: int) -> None:
     is_last = setting.steps[number - 1].key == "root"
     if is_last:
         with st.container(key="figure"):
-            stacks()
+            draw_stacks()
     st.markdown(f"## {number}. {heading}\n\n{reason}")
-    asked = () if setting.numbers or setting.equal_masses else cache.asked_in(setting.route, number - 1)
-    result(f"{setting.route}_{number}", wide, narrow, asked if not display_mode.is_projector() else ())
+    questions = () if setting.numbers or setting.equal_masses else cache.questions_of_step(setting.route, number - 1)
+    draw_equations(f"{setting.route}_{number}", wide, narrow, questions if not display_mode.is_projector() else ())
     if is_last:
         onward = navigation.PAGES["taxicab"]
         with st.container(key="onward"):
@@ -209,20 +209,24 @@ def draw(setting: Setting, number: int) -> None:
 
 
 @st.fragment
-def result(step: str, wide: str, narrow: str, asked: tuple[str, ...]) -> None:
+def draw_equations(step: str, wide: str, narrow: str, questions: tuple[str, ...]) -> None:
     """Draw the equations of a step. If it has a question, show them after a correct answer."""
     route = step.rpartition("_")[0]
-    if asked and st.toggle(_("Type it yourself first"), key=f"first_{route}_{asked[0]}"):
-        key = f"asked_{route}_{asked[0]}"
-        name = asked[0] if len(asked) == 1 else st.selectbox(_("Which one?"), asked, format_func=title, key=key)
-        take(name, route)
-        ask(name, with_step=False, place=route)
+    if questions and st.toggle(_("Type it yourself first"), key=f"first_{route}_{questions[0]}"):
+        key = f"asked_{route}_{questions[0]}"
+        name = (
+            questions[0]
+            if len(questions) == 1
+            else st.selectbox(_("Which one?"), questions, format_func=title, key=key)
+        )
+        judge_typed(name, route)
+        draw_question(name, with_step=False, place=route)
         if not is_solved(name):
             return
     widgets.equations(step, wide, narrow)
 
 
-def explain(setting: Setting) -> None:
+def explain_symbols(setting: Setting) -> None:
     """Name the masses that the steps use, and explain the symbols."""
     if setting.numbers:
         st.caption(stated(setting.numbers))
@@ -231,7 +235,7 @@ def explain(setting: Setting) -> None:
 
 
 @st.fragment
-def take_home(setting: Setting) -> None:
+def offer_files(setting: Setting) -> None:
     """Offer the route and the current step as files, which are written when the popover opens."""
     drawn = sidebar.oscillator().radius, sidebar.compression()
     # The address contains the current step by the time this opens.
@@ -239,7 +243,7 @@ def take_home(setting: Setting) -> None:
         for kind, (label, suffix, mime) in FILES.items():
             if kind == "step" and not setting.is_lecture:
                 continue
-            step = address.held(STEP) if kind == "step" else None
+            step = address.current(STEP) if kind == "step" else None
             widgets.download(
                 label,
                 cache.document(setting.route, setting.numbers, kind, drawn, step, equal_masses=setting.equal_masses)
@@ -256,12 +260,12 @@ def take_home(setting: Setting) -> None:
 
 
 @st.fragment(key="results")
-def compare() -> None:
+def compare_routes() -> None:
     """Draw the common result of all routes, and for each route a check mark with a link."""
     st.header(_("All routes give the same frequency"), anchor=False)
     words, formulas = columns("results")
     with formulas:
-        for line in cache.result(None if display_mode.hides("numbers") else present()):
+        for line in cache.result(None if display_mode.hides("numbers") else current_numbers()):
             st.latex(line)
     with words:
         with st.container(horizontal=True):
@@ -276,12 +280,12 @@ def compare() -> None:
         st.markdown(_("SymPy has checked that the difference between any two results is exactly 0."))
 
 
-def margin() -> None:
+def draw_notes_on_paper() -> None:
     """Draw the notes on the paper. They are checked when the expander opens."""
     notes = st.expander(_("Notes on the paper: a few lines to correct"), key="margin", on_change="rerun")
     if not notes.open:
         return
-    with notes, st.spinner(_("Checking each line …")), giving_way():
+    with notes, st.spinner(_("Checking each line …")), responsive():
         st.markdown(_("The paper’s main result is right. SymPy has checked each of these notes on its details."))
         for note in remarks():
             mark = _(":green[:material/check: checked]") if note.holds else _(":red[:material/close: not confirmed]")

@@ -13,7 +13,7 @@ from ramanujan.numerals import quantity
 from ramanujan.shell import address, local_time, widgets
 from ramanujan.translation import _, ngettext
 
-LEARNED = _("What the class has learned")
+RESULTS_HEADING = _("What the class has learned")
 
 
 def show(access: str, stop: Stop, vote: Vote, solved: bool, chosen: str | None = None) -> None:
@@ -33,9 +33,9 @@ def show(access: str, stop: Stop, vote: Vote, solved: bool, chosen: str | None =
         st.warning(str(error))
         return
     with st.container(key="class_result"):
-        if solved and (said := _changes(changes)):
+        if solved and (sentence := _changes_sentence(changes)):
             with st.container(key="class_changes"):
-                st.markdown(said)
+                st.markdown(sentence)
         right, widths = stop.right if solved else None, [3, *(2 for _vote in all_votes)]
         if vote.is_second:
             with st.container(key="class_votes"):
@@ -80,48 +80,48 @@ def _share(people: int, total: int) -> str:
     return _("{people} of {total}, {share}").format(people=people, total=total, share=share)
 
 
-def _changes(changes: Counter[tuple[bool, bool]]) -> str:
+def _changes_sentence(changes: Counter[tuple[bool, bool]]) -> str:
     """Return the number of changed answers of each kind; an empty text without a second vote."""
     kinds = {"up": (False, True), "down": (True, False), "both": (True, True)}
-    said = _("**Changed to the right answer: {up}.** Changed to a wrong answer: {down}. Right both times: {both}.")
-    return said.format(**{name: changes[kind] for name, kind in kinds.items()}) if changes else ""
+    sentence = _("**Changed to the right answer: {up}.** Changed to a wrong answer: {down}. Right both times: {both}.")
+    return sentence.format(**{name: changes[kind] for name, kind in kinds.items()}) if changes else ""
 
 
-def comment(access: str, stop: Stop, vote: Vote) -> None:
+def draw_commonest_mistake(access: str, stop: Stop, vote: Vote) -> None:
     """Name the most frequent wrong answer of the last vote, with the reply to it. Do nothing without a wrong answer."""
     votes, right = _result(access, stop.id, vote)[0][-1], stop.right
     most = max((option for option in stop.options if option != right), key=votes.__getitem__)
     if votes[most]:
-        said = _("**Chosen most of the wrong answers:** {label}\\\n{reply}")
-        st.markdown(said.format(label=stop.options[most], reply=stop.reply(most)))
+        sentence = _("**Chosen most of the wrong answers:** {label}\\\n{reply}")
+        st.markdown(sentence.format(label=stop.options[most], reply=stop.reply(most)))
 
 
-def learned(access: str) -> None:
+def draw_whole_lesson(access: str) -> None:
     """Draw the share of right answers before and after the discussion, for each question with a revealed answer."""
-    asked = [each for each in shared().results(access, Phase.SOLVED) if lesson.has_stop(each.stop)]
-    if not asked:
+    revealed = [each for each in shared().results(access, Phase.SOLVED) if lesson.has_stop(each.stop)]
+    if not revealed:
         st.markdown(_("No right answer was shown to this class."))
         return
-    if twice := [each for each in asked if each.second]:
-        before = _right([(each.stop, each.first) for each in twice])
-        after = _right([(each.stop, each.second) for each in twice if each.second])
-        said = _("Right before students talked to their neighbours: {before}. Right after it: {after}.")
-        st.markdown(said.format(before=before, after=after))
+    if twice := [each for each in revealed if each.second]:
+        before = _share_of_right([(each.stop, each.first) for each in twice])
+        after = _share_of_right([(each.stop, each.second) for each in twice if each.second])
+        sentence = _("Right before students talked to their neighbours: {before}. Right after it: {after}.")
+        st.markdown(sentence.format(before=before, after=after))
     rows = [(_("Question"), _("Right at first"), _("After talking"))]
-    for each in asked:
-        votes = [_right([(each.stop, vote)]) if vote else "–" for vote in (each.first, each.second)]
+    for each in revealed:
+        votes = [_share_of_right([(each.stop, vote)]) if vote else "–" for vote in (each.first, each.second)]
         rows.append((lesson.stop(each.stop).heading, votes[0], votes[1]))
     widgets.table(rows, key="learned")
 
 
-def _right(voted: Sequence[tuple[str, Mapping[str, int]]]) -> str:
+def _share_of_right(voted: Sequence[tuple[str, Mapping[str, int]]]) -> str:
     """Return the share of right answers in a vote on stops, given by their ids."""
     return _share(
         sum(votes[lesson.stop(stop).right] for stop, votes in voted), sum(sum(votes.values()) for _stop, votes in voted)
     )
 
 
-def explain(stop: Stop, chosen: str | None = None) -> None:
+def draw_reason(stop: Stop, chosen: str | None = None) -> None:
     """Name the right answer and its reason. If `chosen` is wrong, comment on it first."""
     if chosen and chosen != stop.right:
         st.markdown(_("**You chose:** {label}\\\n{reply}").format(label=stop.options[chosen], reply=stop.reply(chosen)))
@@ -129,12 +129,12 @@ def explain(stop: Stop, chosen: str | None = None) -> None:
     st.markdown(stop.explanation())
 
 
-def unknown_stop() -> str:
+def unknown_stop_sentence() -> str:
     """Return a sentence about a class whose current question is missing in this version of the app."""
     return _("The class is at a question that this version of the app does not have.")
 
 
-def storage(expires: float, *, is_browser_storing: bool = True) -> str:
+def storage_sentence(expires: float, *, is_browser_storing: bool = True) -> str:
     """Return a description of the stored data about the students of a class, in two sentences.
 
     Parameters
@@ -150,32 +150,34 @@ def storage(expires: float, *, is_browser_storing: bool = True) -> str:
     return f"{mark} {votes}"
 
 
-def answered(now: ClassQuestion) -> str:
+def answers_sentence(now: ClassQuestion) -> str:
     """Return the number of students present and of answers, as a sentence."""
-    said = ngettext(
+    sentence = ngettext(
         "{answered} of {present} here has answered.", "{answered} of {present} here have answered.", now.present
     ).format(answered=now.answered, present=now.present)
-    return " ".join((_("Second vote."), said)) if now.vote.is_second else said
+    return " ".join((_("Second vote."), sentence)) if now.vote.is_second else sentence
 
 
-def joined(people: int) -> str:
+def joined_sentence(people: int) -> str:
     """Return the number of students who joined, as a sentence."""
     return ngettext("{n} student has joined.", "{n} students have joined.", people).format(n=people)
 
 
-def lately(seats: Seats) -> str:
+def recent_sentence(seats: Seats) -> str:
     """Return the number of students who joined in the last minute, as a sentence; an empty text for none."""
-    said = ngettext("{n} student joined in the last minute.", "{n} students joined in the last minute.", seats.lately)
-    return said.format(n=seats.lately) if seats.lately else ""
+    sentence = ngettext(
+        "{n} student joined in the last minute.", "{n} students joined in the last minute.", seats.lately
+    )
+    return sentence.format(n=seats.lately) if seats.lately else ""
 
 
-def taken(seats: Seats) -> str:
+def seats_sentence(seats: Seats) -> str:
     """Return the number of seats and of empty seats, as sentences."""
-    said = ngettext("{n} seat is taken. Empty: {empty}.", "{n} seats are taken. Empty: {empty}.", seats.taken)
-    return f"{said.format(n=seats.taken, empty=seats.taken - seats.present)} {lately(seats)}"
+    sentence = ngettext("{n} seat is taken. Empty: {empty}.", "{n} seats are taken. Empty: {empty}.", seats.taken)
+    return f"{sentence.format(n=seats.taken, empty=seats.taken - seats.present)} {recent_sentence(seats)}"
 
 
-def warn_of_unreachable_address() -> None:
+def warn_of_local_address() -> None:
     """Draw a warning if students' phones cannot open the address of this page."""
     if address.is_for_this_computer_alone():
         st.warning(
@@ -186,6 +188,6 @@ def warn_of_unreachable_address() -> None:
         )
 
 
-def qr_code(address: str) -> None:
+def draw_qr_code(address: str) -> None:
     """Draw an address as a QR code."""
     st.image(segno.make(address, micro=False).svg_inline(scale=8, border=3, light="white"), width="stretch")

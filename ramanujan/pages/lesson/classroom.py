@@ -23,7 +23,7 @@ from ramanujan.lesson.classes import DAY, LIFETIMES, ClassError, ClassQuestion, 
 from ramanujan.lesson.stop import Stop
 from ramanujan.pages.lesson import class_results, progress
 from ramanujan.shell import address, class_session, local_time, widgets
-from ramanujan.shell.class_session import attempt, key_held, leave, open_class, seat_held
+from ramanujan.shell.class_session import leave, lecturer_key, open_class, run_or_refuse, student_seat
 from ramanujan.translation import _, ngettext
 
 DESK_EVERY, PHONE_EVERY = 2.0, 2.5
@@ -40,38 +40,38 @@ KEY_NAMES = "<style>:root {{ {} }}</style>".format("; ".join(f'{key}: "{name}"' 
 """The names of the two keys in the labels of the moves, for page.css. Streamlit writes them in English."""
 _DRAWN = "class_drawn"
 """Session state: the stop whose machine the phone shows, and whether the machine runs."""
-_SEEN = "class_seen"
+_LAST_STOP = "class_seen"
 """Session state: the question of the class that this desk last read."""
 _ENDED = "class_ended"
 """Session state: whether the desk has ended its class, and the first page of the lesson confirms it."""
 
 
-def guests(show: Callable[..., None]) -> None:
+def draw_phone(show: Callable[..., None]) -> None:
     """Draw the page of a student, and end the run; do nothing for others.
 
     Parameters
     ----------
     show : function that draws the machine of a stop, such as `stops.show`
     """
-    class_session.arrive()
-    if class_session.awaited():
-        _waiting()
+    class_session.restore_role()
+    if class_session.awaited_class():
+        _draw_waiting()
         st.stop()
-    if seat := seat_held():
-        seen = None
+    if seat := student_seat():
+        visible = None
         with suppress(ClassError):
-            seen = _seen(class_session.question(seat.code))
-        st.session_state[_DRAWN] = seen
+            visible = _visible_machine(class_session.question(seat.code))
+        st.session_state[_DRAWN] = visible
         with st.container(key="class_phone"):
             st.html(NOTHING_TO_SET)
             above = st.container()
             # The fragment runs first, because the next run can cut off the end of this one.
-            _phone()
+            _draw_seat()
             below = st.container()
-            _leaving()
-        if seen:
-            class_session.take_settings(shared().machine(seat.code))
-            stop, running = lesson.stop(seen[0]), seen[1]
+            _draw_leave_button()
+        if visible:
+            class_session.apply_settings(shared().machine(seat.code))
+            stop, running = lesson.stop(visible[0]), visible[1]
             with above:
                 st.title(stop.heading, anchor=False)
                 st.markdown(stop.question)
@@ -80,13 +80,13 @@ def guests(show: Callable[..., None]) -> None:
                 show(stop, running, fixed=True)
         with suppress(ClassError):
             expires, is_storing = shared().expires(seat.code), not class_session.forgets_seat()
-            st.caption(class_results.storage(expires, is_browser_storing=is_storing))
+            st.caption(class_results.storage_sentence(expires, is_browser_storing=is_storing))
         st.stop()
 
 
-def door() -> None:
+def draw_door() -> None:
     """Draw the controls to open or to join a class; draw nothing in a class."""
-    if key_held() or seat_held():
+    if lecturer_key() or student_seat():
         return
     with st.popover(_("Class"), icon=":material/groups:", key="class_door"):
         with st.form("class_join", border=False):
@@ -97,21 +97,21 @@ def door() -> None:
                 autocomplete="off",
             )
             if st.form_submit_button(_("Join"), type="primary"):
-                attempt(class_session.take_seat, code)
+                run_or_refuse(class_session.take_seat, code)
                 st.rerun()
         # The open popover covers the page, so show the result of a typed code in it.
         if code:
-            _warn()
-        _for_lecturers()
+            _draw_error()
+        _explain_class()
     if not code:
-        _warn()
-    if st.session_state.get(_ENDED) and address.held(progress.STOP) == progress.STOP.default:
+        _draw_error()
+    if st.session_state.get(_ENDED) and address.current(progress.STOP) == progress.STOP.default:
         st.success(_("The class has ended, and its answers are deleted."))
     else:
         st.session_state.pop(_ENDED, None)
 
 
-def _for_lecturers() -> None:
+def _explain_class() -> None:
     """Explain how a class works, with a button that opens one."""
     st.markdown(_("Lecturers: three screens play together."))
     screens = (
@@ -125,21 +125,23 @@ def _for_lecturers() -> None:
     days = {seconds: round(seconds / DAY) for seconds in LIFETIMES}
     words = {seconds: ngettext("{n} day", "{n} days", n).format(n=n) for seconds, n in days.items()}
     with st.container(horizontal=True, vertical_alignment="bottom"):
-        kept = st.selectbox(_("Keep the answers for"), LIFETIMES, format_func=words.__getitem__, key="class_kept")
-        st.button(_("Open a class"), key="class_open", type="primary", on_click=attempt, args=(open_class, kept))
-    st.caption(class_results.storage(time.time() + kept))
-    class_results.warn_of_unreachable_address()
+        lifetime = st.selectbox(_("Keep the answers for"), LIFETIMES, format_func=words.__getitem__, key="class_kept")
+        st.button(
+            _("Open a class"), key="class_open", type="primary", on_click=run_or_refuse, args=(open_class, lifetime)
+        )
+    st.caption(class_results.storage_sentence(time.time() + lifetime))
+    class_results.warn_of_local_address()
 
 
-def panel(stop: Stop, phase: Phase) -> None:
+def draw_desk(stop: Stop, phase: Phase) -> None:
     """Draw the lecturer's desk next to a stop, in the current phase of the class.
 
     Draw the options or the votes, and the buttons of the next moves.
     """
-    key = key_held()
+    key = lecturer_key()
     if key is None:
         return
-    class_session.tell_settings(key)
+    class_session.send_settings(key)
     _follow_stage(parts_of(key)[0])
     _desk(stop, phase)
 
@@ -150,13 +152,13 @@ def _follow_stage(code: str) -> None:
     class_session.follow(code)
 
 
-def closing() -> None:
+def draw_end() -> None:
     """Draw the lecturer's desk after the last stop."""
-    st.title(class_results.LEARNED, anchor=False)
+    st.title(class_results.RESULTS_HEADING, anchor=False)
     _desk(None, Phase.ASKED)
 
 
-def _warn() -> None:
+def _draw_error() -> None:
     if sentence := class_session.refusal():
         st.warning(sentence)
 
@@ -167,12 +169,12 @@ def _warn() -> None:
 @st.fragment(run_every=DESK_EVERY)
 def _desk(stop: Stop | None, phase: Phase) -> None:
     """Draw the desk next to a stop in this phase, or at the end. Rerun the page when stop or phase has changed."""
-    if (key := key_held()) is None:
+    if (key := lecturer_key()) is None:
         st.rerun()
-    st.session_state.setdefault(_SEEN, None)
+    st.session_state.setdefault(_LAST_STOP, None)
     code, place = parts_of(key)[0], stop.id if stop else END
     with st.container(key="class_desk"):
-        _warn()
+        _draw_error()
         try:
             shared().code_of(key)
             now, last = class_session.question(code), shared().last_state(code, place)
@@ -180,48 +182,48 @@ def _desk(stop: Stop | None, phase: Phase) -> None:
             st.warning(str(error))
             st.button(_("Leave this class"), key="class_leave", on_click=leave)
             return
-        _follow(now, place)
+        _follow_desk(now, place)
         if (last.phase if last else Phase.ASKED) != phase:
             st.rerun()
-        st.markdown(f"**{_attendance(place, now)}** {class_results.lately(shared().seats(key))}")
+        st.markdown(f"**{_attendance_sentence(place, now)}** {class_results.recent_sentence(shared().seats(key))}")
         with st.container(key="class_moves", horizontal=True, gap="small"):
-            _moves(key, stop, now, last)
+            _draw_moves(key, stop, now, last)
         if stop is None:
-            class_results.learned(code)
+            class_results.draw_whole_lesson(code)
         elif last and last.phase > Phase.ASKED:
             class_results.show(code, stop, last.vote, last.phase == Phase.SOLVED)
             if last.phase == Phase.SOLVED:
-                class_results.comment(code, stop, last.vote)
+                class_results.draw_commonest_mistake(code, stop, last.vote)
         else:
             st.markdown("\n".join(f"- {label}" for label in stop.options.values()))
         with st.container(key="class_foot", horizontal=True, vertical_alignment="center"):
-            _foot(key, code)
+            _draw_foot(key, code)
 
 
-def _follow(now: ClassQuestion, place: str) -> None:
+def _follow_desk(now: ClassQuestion, place: str) -> None:
     """Open the stop to which another desk has taken the class."""
-    if now.stop != st.session_state[_SEEN]:
-        st.session_state[_SEEN] = now.stop
+    if now.stop != st.session_state[_LAST_STOP]:
+        st.session_state[_LAST_STOP] = now.stop
         st.session_state[progress.STOP.name] = now.stop or place
     # This also applies after a move of this desk, because its buttons rerun only the desk.
-    if address.held(progress.STOP) != place:
+    if address.current(progress.STOP) != place:
         st.rerun()
 
 
-def _attendance(place: str, now: ClassQuestion) -> str:
+def _attendance_sentence(place: str, now: ClassQuestion) -> str:
     """Return attendance and number of answers, as a sentence."""
     if not now.is_known:
-        return class_results.unknown_stop()
+        return class_results.unknown_stop_sentence()
     if now.stop is None or now.stop == place == END:
-        return class_results.joined(now.present)
+        return class_results.joined_sentence(now.present)
     if now.stop == END:
         return _("The class is at the end of the lesson.")
     if now.stop != place:
         return _("The class is still at “{heading}”.").format(heading=lesson.stop(now.stop).heading)
-    return class_results.answered(now)
+    return class_results.answers_sentence(now)
 
 
-def _moves(key: str, stop: Stop | None, now: ClassQuestion, last: ClassQuestion | None) -> None:
+def _draw_moves(key: str, stop: Stop | None, now: ClassQuestion, last: ClassQuestion | None) -> None:
     """Draw a button for each possible move. A clicker presses the first two: back and forward."""
 
     def button(label: str, name: str, act: Callable, *more: object, keyed: str = "", disabled: bool = False) -> None:
@@ -230,7 +232,7 @@ def _moves(key: str, stop: Stop | None, now: ClassQuestion, last: ClassQuestion 
             key=f"class_{name}",
             type="primary" if keyed == "PageDown" else "secondary",
             shortcut=keyed or None,
-            on_click=attempt,
+            on_click=run_or_refuse,
             args=(act, key, *more),
             disabled=disabled,
         )
@@ -239,23 +241,23 @@ def _moves(key: str, stop: Stop | None, now: ClassQuestion, last: ClassQuestion 
     place = stop.id if stop else END
     opened = now.stop == place and now.phase > Phase.ASKED
     button(_("Go back"), "back", _go_back, place, keyed="PageUp", disabled=not (opened or progress.previous(place)))
-    button(*_onward(stop, now, last), keyed="PageDown", disabled=now.stop == place == END)
+    button(*_forward_move(stop, now, last), keyed="PageDown", disabled=now.stop == place == END)
     if stop and now.stop != place and last:
         button(_("Ask this question again"), "anew", partial(shared().ask, anew=True), place, list(stop.options))
     if now.stop == place != END and not now.vote.is_second and now.reached < Phase.RUNNING:
         button(_("Ask again"), "again", shared().ask_again)
 
 
-def _onward(stop: Stop | None, now: ClassQuestion, last: ClassQuestion | None) -> tuple:
+def _forward_move(stop: Stop | None, now: ClassQuestion, last: ClassQuestion | None) -> tuple:
     """Return label, key, callback and arguments of the forward button."""
     if stop is None:
-        return _("Show what the class has learned"), "finish", _finish
+        return _("Show what the class has learned"), "finish", _show_end
     if now.stop != stop.id:
-        return _("Return to this question") if last else _("Ask the class"), "ask", _present, stop
+        return _("Return to this question") if last else _("Ask the class"), "ask", _show_stop, stop
     if now.phase == Phase.SOLVED:
         if following := progress.following(stop):
-            return _("Ask the next question"), "next", _present, following
-        return _("Show what the class has learned"), "finish", _finish
+            return _("Ask the next question"), "next", _show_stop, following
+        return _("Show what the class has learned"), "finish", _show_end
     labels = {
         Phase.ASKED: (_("Show the result"), "reveal"),
         Phase.REVEALED: (stop.observation, "run"),
@@ -271,24 +273,24 @@ def _go_back(key: str, place: str) -> None:
     if now.stop == place and now.phase > Phase.ASKED:
         shared().show(key, Phase(now.phase - 1))
     elif previous and now.stop == place and shared().last_state(code, previous.id):
-        _present(key, previous)
+        _show_stop(key, previous)
     elif previous:
         st.session_state[progress.STOP.name] = previous.id
 
 
-def _finish(key: str) -> None:
+def _show_end(key: str) -> None:
     """Take the class and this desk to the end."""
     shared().finish(key)
-    st.session_state[_SEEN] = st.session_state[progress.STOP.name] = END
+    st.session_state[_LAST_STOP] = st.session_state[progress.STOP.name] = END
 
 
-def _present(key: str, stop: Stop) -> None:
+def _show_stop(key: str, stop: Stop) -> None:
     """Take the class and this desk to a stop."""
     shared().ask(key, stop.id, list(stop.options))
-    st.session_state[_SEEN] = st.session_state[progress.STOP.name] = stop.id
+    st.session_state[_LAST_STOP] = st.session_state[progress.STOP.name] = stop.id
 
 
-def _foot(key: str, code: str) -> None:
+def _draw_foot(key: str, code: str) -> None:
     """Draw the code, links to the other screens, and the controls for seats, results and the end of the class."""
     st.text(spaced(code), width="content")
     st.link_button(
@@ -299,15 +301,15 @@ def _foot(key: str, code: str) -> None:
     )
     with st.popover(_("Open the desk on your phone"), key="class_second_desk", type="tertiary"):
         st.markdown(_("Scan this with your own phone. Whoever has this picture leads the class."))
-        class_results.qr_code(address.link_for_others({"class": code, "lecturer": key}).geturl())
+        class_results.draw_qr_code(address.link_for_others({"class": code, "lecturer": key}).geturl())
     with st.popover(_("Manage the seats"), key="class_seats", type="tertiary"):
-        _seats(key)
+        _manage_seats(key)
     with st.popover(_("Download the results"), key="class_files", type="tertiary"):
-        _votes(key, "class_csv")
-    _ending(key)
+        _offer_votes(key, "class_csv")
+    _draw_ending(key)
 
 
-def _votes(key: str, name: str) -> None:
+def _offer_votes(key: str, name: str) -> None:
     """Offer the votes of the class as a CSV file and as a JSON file."""
     asked, file = shared().results_for_lecturer(key), f"class-{parts_of(key)[0]}"
     files = (
@@ -318,22 +320,24 @@ def _votes(key: str, name: str) -> None:
         widgets.download(label, content, file_name, "text/csv", key=widget)
 
 
-def _seats(key: str) -> None:
+def _manage_seats(key: str) -> None:
     """Draw the number of seats, and the controls against a visitor who takes many seats."""
     seats = shared().seats(key)
-    st.markdown(class_results.taken(seats))
+    st.markdown(class_results.seats_sentence(seats))
     label = _("Let nobody else join") if seats.is_open else _("Let students join again")
-    st.button(label, key="class_bar", on_click=attempt, args=(shared().let_join, key, not seats.is_open))
+    st.button(label, key="class_bar", on_click=run_or_refuse, args=(shared().let_join, key, not seats.is_open))
     st.markdown(
         _(
             "A seat is empty if its student’s page is closed. With the seat, the answer to the present question is "
             "removed, unless its result is shown. A student who comes back gets a new seat."
         )
     )
-    st.button(_("Remove the empty seats"), key="class_clear", on_click=attempt, args=(shared().remove_absent, key))
+    st.button(
+        _("Remove the empty seats"), key="class_clear", on_click=run_or_refuse, args=(shared().remove_absent, key)
+    )
 
 
-def _ending(key: str) -> None:
+def _draw_ending(key: str) -> None:
     """Draw the button that ends the class, its expiry date and a last download."""
 
     def end() -> None:
@@ -349,54 +353,54 @@ def _ending(key: str) -> None:
                 date=local_time.date_and_time(shared().expires(parts_of(key)[0]))
             )
         )
-        _votes(key, "class_csv_last")
+        _offer_votes(key, "class_csv_last")
         label = _("End the class and delete its answers")
-        st.button(label, key="class_close", on_click=attempt, args=(end,))
+        st.button(label, key="class_close", on_click=run_or_refuse, args=(end,))
 
 
 # ---- a student
 
 
 @st.fragment(run_every=PHONE_EVERY)
-def _waiting() -> None:
+def _draw_waiting() -> None:
     """Retry joining. Students of one network arrive together, and each gets a seat in turn."""
-    if code := class_session.awaited():
-        attempt(class_session.take_seat, code)
-    code = class_session.awaited()
+    if code := class_session.awaited_class():
+        run_or_refuse(class_session.take_seat, code)
+    code = class_session.awaited_class()
     if code is None:
         st.rerun()
     with st.container(key="class_phone"):
         st.html(NOTHING_TO_SET)
         st.title(_("Class {code}").format(code=spaced(code)), anchor=False)
         st.info(class_session.refusal())
-        _leaving()
+        _draw_leave_button()
 
 
-def _leaving() -> None:
+def _draw_leave_button() -> None:
     """Draw the button that leaves the class."""
     st.button(_("Leave the class"), key="class_leave", type="tertiary", on_click=leave)
 
 
 @st.fragment(run_every=PHONE_EVERY)
-def _phone() -> None:
+def _draw_seat() -> None:
     """Draw the current question of the student, and poll the class every few seconds for a new one."""
-    if (seat := seat_held()) is None:
+    if (seat := student_seat()) is None:
         st.rerun()
     try:
         question = class_session.question(seat.code)
         chosen = shared().answer_of(seat, question)
     except SeatError:
         # The lecturer removed the empty seats while this phone was inactive.
-        attempt(class_session.take_seat, seat.code)
+        run_or_refuse(class_session.take_seat, seat.code)
         st.rerun()
     except ClassError as error:
         st.warning(str(error))
     else:
         # Question and machine are outside of the fragment that reruns every few seconds.
-        if _seen(question) != st.session_state[_DRAWN]:
+        if _visible_machine(question) != st.session_state[_DRAWN]:
             st.rerun()
         class_session.follow(seat.code)
-        _asked(seat, question, chosen)
+        _draw_question(seat, question, chosen)
         _offer_own_tab(seat.code)
 
 
@@ -412,47 +416,47 @@ def _offer_own_tab(code: str) -> None:
         st.link_button(_("Open the class in a tab of its own"), address.link({"class": code}).geturl())
 
 
-def _seen(question: ClassQuestion | None) -> tuple[str, bool] | None:
+def _visible_machine(question: ClassQuestion | None) -> tuple[str, bool] | None:
     """Return the stop whose machine the class sees, and whether it runs; None if the class sees no machine."""
     return (question.stop, question.phase >= Phase.RUNNING) if question and question.stop not in (None, END) else None
 
 
-def _asked(seat: Seat, question: ClassQuestion, chosen: str | None) -> None:
+def _draw_question(seat: Seat, question: ClassQuestion, chosen: str | None) -> None:
     if question.stop is None:
         st.title(_("Class {code}").format(code=spaced(seat.code)), anchor=False)
         st.info(_("You have joined the class. The first question will appear here."))
         if not question.is_known:
-            st.warning(class_results.unknown_stop())
+            st.warning(class_results.unknown_stop_sentence())
         return
     class_session.forget_refusal((question.stop, question.vote))
     if question.stop == END:
-        st.title(class_results.LEARNED, anchor=False)
-        class_results.learned(seat.code)
+        st.title(class_results.RESULTS_HEADING, anchor=False)
+        class_results.draw_whole_lesson(seat.code)
         st.button(_("Go on with the whole lesson"), key="class_alone", type="primary", on_click=leave)
         return
     stop = lesson.stop(question.stop)
     if question.reached > Phase.ASKED:
-        _closed_vote(seat, stop, question, chosen)
+        _draw_closed_vote(seat, stop, question, chosen)
     else:
-        _open_vote(stop, question, chosen)
+        _draw_open_vote(stop, question, chosen)
 
 
-def _closed_vote(seat: Seat, stop: Stop, question: ClassQuestion, chosen: str | None) -> None:
+def _draw_closed_vote(seat: Seat, stop: Stop, question: ClassQuestion, chosen: str | None) -> None:
     """Draw a closed question: the result if it is visible now, the student's vote, and why voting is closed."""
-    _warn()
+    _draw_error()
     is_solved = question.phase == Phase.SOLVED
     if is_solved:
-        class_results.explain(stop, chosen)
+        class_results.draw_reason(stop, chosen)
     if question.phase > Phase.ASKED:
         class_results.show(seat.code, stop, question.vote, is_solved, chosen)
     else:
         own = _("{label} – *This was your answer.*")
         labels = {**stop.options, **({chosen: own.format(label=stop.options[chosen])} if chosen else {})}
         st.markdown("\n".join(f"- {label}" for label in labels.values()))
-    st.markdown(_own_vote(seat, stop, question, chosen))
+    st.markdown(_own_vote_sentence(seat, stop, question, chosen))
 
 
-def _own_vote(seat: Seat, stop: Stop, question: ClassQuestion, chosen: str | None) -> str:
+def _own_vote_sentence(seat: Seat, stop: Stop, question: ClassQuestion, chosen: str | None) -> str:
     """Return whether the student's vote was counted, and why voting is closed, as sentences."""
     if chosen:
         return _("Your answer was counted. The result has been shown, so it can no longer be changed.")
@@ -466,7 +470,7 @@ def _own_vote(seat: Seat, stop: Stop, question: ClassQuestion, chosen: str | Non
     return _("You have no answer to this question. The result has been shown, so nobody can vote on it now.")
 
 
-def _open_vote(stop: Stop, question: ClassQuestion, chosen: str | None) -> None:
+def _draw_open_vote(stop: Stop, question: ClassQuestion, chosen: str | None) -> None:
     """Draw the options of an open question, with a confirmation at the student's answer."""
     if question.vote.is_second:
         st.markdown(_("**Second vote.** Talk to your neighbours, then answer again."))
@@ -486,9 +490,9 @@ def _open_vote(stop: Stop, question: ClassQuestion, chosen: str | None) -> None:
         on_change=_vote,
         args=(key, stop.id, question.vote),
     )
-    _warn()
+    _draw_error()
 
 
 def _vote(key: str, stop: str, vote: Vote) -> None:
-    if seat := seat_held():
-        attempt(shared().vote, seat, stop, st.session_state[key], vote)
+    if seat := student_seat():
+        run_or_refuse(shared().vote, seat, stop, st.session_state[key], vote)

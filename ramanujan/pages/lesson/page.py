@@ -28,52 +28,56 @@ _ONWARDS = {
 
 def show() -> None:
     """Draw the page."""
-    classroom.guests(stops.show)
-    wall.guests()
-    if items := address.held(exercise.EXERCISE):
-        exercise.show(items)
+    classroom.draw_phone(stops.draw_observation)
+    wall.draw_wall()
+    if items := address.current(exercise.EXERCISE):
+        exercise.draw_exercise(items)
     else:
-        lesson_parts()
+        draw_parts()
     # These include the parameters of parts that are hidden now.
     address.keep(*URL_PARAMETERS)
 
 
-def lesson_parts() -> None:
+def draw_parts() -> None:
     """Draw the choice between stops, tasks and notes, and the selected part."""
     with st.container(horizontal=True, vertical_alignment="center", gap="medium", key="lesson_head"):
         part = widgets.segmented_control(progress.PART, _("Part of the lesson"), label_visibility="collapsed")
         head = st.container(key="turner")
-        classroom.door()
-    {"stops": walk, "tasks": work, "notes": notes}[part](head)
+        classroom.draw_door()
+    {"stops": draw_stops, "tasks": draw_task, "notes": draw_notes}[part](head)
     components.return_focus("part")
 
 
 def uses_sidebar() -> bool:
     """Return whether the reader sets the machine: in a task, or on request at a stop."""
-    return address.held(progress.PART) == "tasks" or bool(address.held(exercise.EXERCISE)) or stops.sliders_wanted()
+    return (
+        address.current(progress.PART) == "tasks"
+        or bool(address.current(exercise.EXERCISE))
+        or stops.are_sliders_open()
+    )
 
 
-def withheld() -> tuple[str, ...]:
+def withheld_presets() -> tuple[str, ...]:
     """Return the presets that the sidebar omits: all, except at a stop whose right answer is visible."""
-    class_session.arrive()
-    if address.held(exercise.EXERCISE):
+    class_session.restore_role()
+    if address.current(exercise.EXERCISE):
         return tuple(sidebar.PRESETS)
-    name = address.held(progress.STOP)
-    walks = address.held(progress.PART) == "stops" and name != progress.END
-    if class_session.seat_held() or not walks or not stops.is_answered(lesson.stop(name)):
+    name = address.current(progress.STOP)
+    walks = address.current(progress.PART) == "stops" and name != progress.END
+    if class_session.student_seat() or not walks or not stops.is_answered(lesson.stop(name)):
         return tuple(sidebar.PRESETS)
     return ()
 
 
-def walk(head: st.delta_generator.DeltaGenerator) -> None:
+def draw_stops(head: st.delta_generator.DeltaGenerator) -> None:
     """Draw the current stop or the end, and at the top the buttons that select another one."""
     path = progress.path()
     places = [*(stop.id for stop in path), progress.END]
-    number = places.index(address.held(progress.STOP)) + 1
+    number = places.index(address.current(progress.STOP)) + 1
 
     def turned(to: int) -> None:
-        if not (number < to and number <= len(path) and stops.asks_first(path[number - 1])):
-            turn(places[to - 1])
+        if not (number < to and number <= len(path) and stops.needs_confirmation(path[number - 1])):
+            select_stop(places[to - 1])
 
     with head:
         # At the desk of a class, a clicker presses the button of the next move instead.
@@ -81,27 +85,27 @@ def walk(head: st.delta_generator.DeltaGenerator) -> None:
             [*(stop.heading for stop in path), ENDING],
             number,
             turned,
-            clicker=not class_session.key_held(),
-            refusal=stops.asked_about(),
+            clicker=not class_session.lecturer_key(),
+            refusal=stops.confirmed_stop(),
         )
     if number <= len(path):
         stops.draw(path[number - 1], number)
-    elif class_session.key_held():
-        classroom.closing()
+    elif class_session.lecturer_key():
+        classroom.draw_end()
     else:
-        ending(path)
+        draw_end(path)
 
 
-def turn(place: str) -> None:
+def select_stop(place: str) -> None:
     """Select a stop or the end, in a callback."""
-    stops.forget_question()
+    stops.clear_confirmation()
     st.session_state[progress.STOP.name] = place
     if place != progress.END:
         stop = lesson.stop(place)
-        stops.load(stop, stops.runs(progress.prediction(stop)[1]))
+        stops.load_machine(stop, stops.is_running(progress.prediction(stop)[1]))
 
 
-def ending(path: tuple[lesson.Stop, ...]) -> None:
+def draw_end(path: tuple[lesson.Stop, ...]) -> None:
     """Draw the end: each answered stop with the right answer and the prediction."""
     right, answered, lines = 0, 0, []
     for stop in path:
@@ -117,11 +121,11 @@ def ending(path: tuple[lesson.Stop, ...]) -> None:
         )
         named = {"chosen": stop.options[chosen], "right": stop.options[stop.right]}
         lines.append(line.format(heading=stop.heading, **named))
-    said = _("You answered {answered} of {stops} questions. Your prediction was right at {right} of them.")
+    sentence = _("You answered {answered} of {stops} questions. Your prediction was right at {right} of them.")
     first = _LINES if is_projector() else len(lines)
     with slide("seen", ENDING):
         st.title(ENDING, anchor=False)
-        st.markdown(said.format(answered=answered, stops=len(path), right=right))
+        st.markdown(sentence.format(answered=answered, stops=len(path), right=right))
         st.markdown("\n".join(lines[:first]))
     if lines[first:]:
         with slide("seen_on", _("{heading}, continued").format(heading=ENDING)):
@@ -134,37 +138,37 @@ def ending(path: tuple[lesson.Stop, ...]) -> None:
             st.page_link(PAGES[name].file, label=label, icon=":material/arrow_forward:")
 
 
-def work(head: st.delta_generator.DeltaGenerator) -> None:
+def draw_task(head: st.delta_generator.DeltaGenerator) -> None:
     """Draw the current task, and at the top the choice of another one."""
     with head:
         name = widgets.selectbox(progress.TASK, _("Task"), label_visibility="collapsed")
-    tasks.draw(lesson.task(name))
+    tasks.draw_task(lesson.task(name))
 
 
-def notes(_head: st.delta_generator.DeltaGenerator) -> None:
+def draw_notes(_head: st.delta_generator.DeltaGenerator) -> None:
     """Draw the lecturer's notes, and the choice between all stops and a short lesson."""
     # At the desk of a class the notes are open. A reader first gets a warning that they contain answers.
     label = _("Show the notes on all stops. They name the right answers.")
     with slide("notes", _("Lecturer’s notes")):
-        _begin_notes()
-        if not (class_session.key_held() or st.toggle(label, key="notes_shown")):
+        _draw_introduction()
+        if not (class_session.lecturer_key() or st.toggle(label, key="notes_shown")):
             return
     halves = columns("notes")
     for start in range(0, len(lesson.STOPS), _NOTES):
         numbered = list(enumerate(lesson.STOPS, start=1))[start : start + _NOTES]
         with halves[2 * start >= len(lesson.STOPS)], slide(f"notes_{start}", numbered[0][1].heading):
             for number, stop in numbered:
-                _note(number, stop)
+                _draw_note(number, stop)
     with slide("sources", _("Sources")):
         st.markdown("\n".join(f"{number}. {source}" for number, source in enumerate(lesson.SOURCES, start=1)))
 
 
-def _begin_notes() -> None:
+def _draw_introduction() -> None:
     st.title(_("Lecturer’s notes"), anchor=False)
     lengths = {"short": [stop for stop in lesson.STOPS if stop.short], "all": lesson.STOPS}
-    said = _("{stops} stops in {minutes} minutes")
+    sentence = _("{stops} stops in {minutes} minutes")
     words = {
-        name: said.format(stops=len(chosen), minutes=sum(stop.minutes for stop in chosen))
+        name: sentence.format(stops=len(chosen), minutes=sum(stop.minutes for stop in chosen))
         for name, chosen in lengths.items()
     }
     widgets.pills(progress.LENGTH, _("How long is the lesson?"), words)
@@ -172,7 +176,7 @@ def _begin_notes() -> None:
     st.markdown(lesson.INTRODUCTION)
 
 
-def _note(number: int, stop: lesson.Stop) -> None:
+def _draw_note(number: int, stop: lesson.Stop) -> None:
     time = ngettext("{n} minute", "{n} minutes", stop.minutes).format(n=stop.minutes)
     right = _("Right answer: {label}").format(label=stop.options[stop.right])
     st.markdown(f"##### {number}. {stop.heading} :small[({time})]\n{stop.purpose} {stop.expect}  \n:small[{right}]")

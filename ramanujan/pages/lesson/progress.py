@@ -35,18 +35,18 @@ class Predictions(address.URLParameter):
 
     def read(self, text: str) -> dict[str, tuple[str, str]]:
         """Return the predictions. Raise `ValueError` for an invalid text."""
-        made = {}
+        predictions = {}
         options = {stop.id: stop.options for stop in lesson.STOPS}
         for entry in text.split("~"):
             name, option, *phase = entry.split(".")
             if phase not in ([], [PREDICTED], [MISSED]) or option not in options.get(name, ()):
                 raise ValueError(self.name)
-            made[name] = option, phase[0] if phase else ANSWERED
-        return made
+            predictions[name] = option, phase[0] if phase else ANSWERED
+        return predictions
 
-    def write(self, made: Mapping[str, tuple[str, str]]) -> str:
+    def write(self, predictions: Mapping[str, tuple[str, str]]) -> str:
         """Return the text of the predictions in the address."""
-        return "~".join(".".join((stop, *said)).removesuffix(f".{ANSWERED}") for stop, said in made.items())
+        return "~".join(".".join((stop, *words)).removesuffix(f".{ANSWERED}") for stop, words in predictions.items())
 
 
 CHOSEN = Predictions("chosen")
@@ -55,19 +55,19 @@ URL_PARAMETERS = (PART, STOP, TASK, LENGTH, CHOSEN)
 
 def prediction(stop: Stop) -> tuple[str | None, str]:
     """Return the selected option of a stop, if any, and its progress."""
-    return address.held(CHOSEN).get(stop.id, (None, ASKED))
+    return address.current(CHOSEN).get(stop.id, (None, ASKED))
 
 
 def predict(stop: Stop, option: str | None, phase: str = PREDICTED) -> None:
     """Write, delete or advance the prediction for a stop."""
-    made = {name: chosen for name, chosen in address.held(CHOSEN).items() if name != stop.id}
-    st.session_state[CHOSEN.name] = made | ({stop.id: (option, phase)} if option else {})
+    predictions = {name: chosen for name, chosen in address.current(CHOSEN).items() if name != stop.id}
+    st.session_state[CHOSEN.name] = predictions | ({stop.id: (option, phase)} if option else {})
 
 
 def path() -> tuple[Stop, ...]:
     """Return the stops of this lesson: all, or those of a short lecture and the current one."""
-    asked = address.held(LENGTH) or ("short" if class_session.key_held() else "all")
-    now = address.held(STOP)
+    asked = address.current(LENGTH) or ("short" if class_session.lecturer_key() else "all")
+    now = address.current(STOP)
     return tuple(stop for stop in lesson.STOPS if asked == "all" or stop.short or stop.id == now)
 
 

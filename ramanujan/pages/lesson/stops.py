@@ -29,134 +29,134 @@ _SEVERAL = {2: "two", 3: "three"}
 """Number of machines → their arrangement in the style sheets."""
 _LOADED = "lesson_loaded"
 """Session state: the stop whose machine was last loaded into the sliders, and whether it was predicted then."""
-_ASKED = "lesson_asked"
+_CONFIRMED = "lesson_asked"
 """Session state: the stop at which the confirmation for an unchecked prediction was shown."""
 _SLIDERS = "lesson_sliders"
 """Session state: how often the reader has opened the sliders."""
 
 
-def load(stop: Stop, runs: bool) -> None:
+def load_machine(stop: Stop, runs: bool) -> None:
     """Set the sliders to the machine of a stop in the next run."""
     st.session_state[_LOADED] = (stop.id, runs)
     sidebar.take_machine(stop.shown if runs else stop.machine, stop.compression)
 
 
-def arrive(stop: Stop, runs: bool) -> None:
+def load_new_machine(stop: Stop, runs: bool) -> None:
     """Set the sliders to the machine of a newly opened stop, unless the link contains another machine."""
     if st.session_state.get(_LOADED) == (stop.id, runs):
         return
     st.session_state[_LOADED] = (stop.id, runs)
     if not (sidebar.linked() or sidebar.holds(stop.shown if runs else stop.machine, stop.compression)):
-        load(stop, runs)
+        load_machine(stop, runs)
         messages.run_again()
 
 
-def runs(phase: str) -> bool:
+def is_running(phase: str) -> bool:
     """Return whether the machine runs: the reader has made a prediction and started the machine."""
     return phase in (progress.MISSED, progress.ANSWERED)
 
 
-def go_on(stop: Stop, option: str | None, phase: str) -> None:
+def set_prediction(stop: Stop, option: str | None, phase: str) -> None:
     """Make, delete or advance a prediction, in a callback."""
-    forget_question()
+    clear_confirmation()
     progress.predict(stop, option, phase)
-    load(stop, runs(phase))
+    load_machine(stop, is_running(phase))
 
 
-def asks_first(stop: Stop) -> bool:
+def needs_confirmation(stop: Stop) -> bool:
     """Request confirmation once before the reader leaves an unchecked prediction; return whether this call does."""
     unchecked = progress.prediction(stop)[1] == progress.PREDICTED and class_session.phase_of(stop) is None
-    if not unchecked or asked_about() == stop.id:
+    if not unchecked or confirmed_stop() == stop.id:
         return False
-    st.session_state[_ASKED] = stop.id
+    st.session_state[_CONFIRMED] = stop.id
     return True
 
 
-def asked_about() -> str:
+def confirmed_stop() -> str:
     """Return the stop whose confirmation was shown; an empty text if there is no such stop."""
-    return st.session_state.get(_ASKED, "")
+    return st.session_state.get(_CONFIRMED, "")
 
 
-def forget_question() -> None:
+def clear_confirmation() -> None:
     """Allow the confirmation to appear again."""
-    st.session_state.pop(_ASKED, None)
+    st.session_state.pop(_CONFIRMED, None)
 
 
-def sliders_wanted() -> bool:
+def are_sliders_open() -> bool:
     """Return whether the reader has opened the sliders."""
     return _SLIDERS in st.session_state
 
 
-def _want_sliders() -> None:
+def _open_sliders() -> None:
     st.session_state[_SLIDERS] = st.session_state.get(_SLIDERS, 0) + 1
 
 
 def is_answered(stop: Stop) -> bool:
     """Return whether the page may show the right answer: on the reader's request, or after the class has seen it."""
-    seen = class_session.phase_of(stop)
-    return progress.prediction(stop)[1] == progress.ANSWERED if seen is None else seen == Phase.SOLVED
+    class_phase = class_session.phase_of(stop)
+    return progress.prediction(stop)[1] == progress.ANSWERED if class_phase is None else class_phase == Phase.SOLVED
 
 
 def draw(stop: Stop, number: int) -> None:
     """Draw the stop with this number."""
     chosen, phase = progress.prediction(stop)
-    seen = class_session.phase_of(stop)
-    if seen is not None:
+    class_phase = class_session.phase_of(stop)
+    if class_phase is not None:
         # A lecturer’s page predicts with the class, and shows nothing before the class has seen it.
-        phase = {Phase.RUNNING: progress.MISSED, Phase.SOLVED: progress.ANSWERED}.get(seen, progress.ASKED)
-    running = runs(phase)
+        phase = {Phase.RUNNING: progress.MISSED, Phase.SOLVED: progress.ANSWERED}.get(class_phase, progress.ASKED)
+    running = is_running(phase)
     # In the projector view the running machine and the reason have their own slide.
-    apart = display_mode.is_projector() and (running or (seen is not None and not stop.exhibit))
+    apart = display_mode.is_projector() and (running or (class_phase is not None and not stop.exhibit))
     with slide("question", stop.heading):
         # In the projector view the question needs the full width, but an exhibit needs the full height.
         above = st.container() if display_mode.is_projector() and not stop.exhibit else None
         if not apart:
-            words, picture, reason = places(stop, running)
+            words, picture, reason = containers(stop, running)
         else:
             words = picture = reason = st.container()
         with above or words, st.container(key="posed"):
             st.title(f"{number}. {stop.heading}", anchor=False)
             st.markdown(stop.question)
         with words:
-            if seen is not None:
-                classroom.panel(stop, seen)
+            if class_phase is not None:
+                classroom.draw_desk(stop, class_phase)
             elif chosen is None:
-                ask(stop)
+                draw_options(stop)
             else:
                 if apart:
                     st.markdown("\n".join(f"- {label}" for label in stop.options.values()))
-                judge(stop, chosen, phase)
+                draw_verdict(stop, chosen, phase)
     if apart:
         with slide("machine", _("The machine")):
-            _words, picture, reason = places(stop, running)
+            _words, picture, reason = containers(stop, running)
     if phase == progress.ANSWERED:
         with reason:
             if stop.periods:
-                _compare_hands(stop)
-            why(stop)
-    arrive(stop, running)
+                _draw_hands_button(stop)
+            draw_explanation(stop)
+    load_new_machine(stop, running)
     if not (stop.exhibit or display_mode.is_projector()):
         with reason, st.container(key="lesson_caption"):
             caption = stop.sliders if running and stop.sliders else _caption(stop, running)
             st.markdown(f":small[{caption}]")
             if running and not stop.runs[0].label:
-                st.button(_("Change it with the sliders"), key=f"sliders_{stop.id}", on_click=_want_sliders)
-            if sliders_wanted():
+                st.button(_("Change it with the sliders"), key=f"sliders_{stop.id}", on_click=_open_sliders)
+            if are_sliders_open():
                 components.publish("sliders_published", {"sliders": st.session_state[_SLIDERS]})
     with picture:
         # A message of the desk's stage reruns only this fragment.
-        st.fragment(show)(stop, running)
+        st.fragment(draw_observation)(stop, running)
 
 
-def show(stop: Stop, running: bool, fixed: bool = False) -> None:
+def draw_observation(stop: Stop, running: bool, fixed: bool = False) -> None:
     """Draw the exhibit of a stop, if any, and its machines; `fixed` machines cannot be dragged."""
     if stop.exhibit:
         st.markdown(stop.outcome if running and stop.outcome else stop.exhibit)
     with st.container(key=f"observed_{_arrangement(stop, running)}"):
-        observe(stop, running, fixed)
+        draw_machines(stop, running, fixed)
 
 
-def places(
+def containers(
     stop: Stop, running: bool
 ) -> tuple[AbstractContextManager[Any], AbstractContextManager[Any], AbstractContextManager[Any]]:
     """Return the containers for words, picture and reason. Machines in a row need the full width."""
@@ -176,7 +176,7 @@ def _arrangement(stop: Stop, running: bool) -> str:
     return "part" if stop.dials or stop.exhibit else "one"
 
 
-def ask(stop: Stop) -> None:
+def draw_options(stop: Stop) -> None:
     """Draw the options and the hints."""
     with st.container(key="asking", gap="xsmall"):
         st.markdown(_("**Predict** before you see it:"))
@@ -185,50 +185,52 @@ def ask(stop: Stop) -> None:
                 st.button(
                     label,
                     key=f"option_{stop.id}_{option}",
-                    on_click=partial(go_on, stop, option, progress.PREDICTED),
+                    on_click=partial(set_prediction, stop, option, progress.PREDICTED),
                     width="stretch",
                 )
     widgets.hints(stop.id, [widgets.plain(hint) for hint in stop.hints])
 
 
-def judge(stop: Stop, chosen: str, phase: str) -> None:
+def draw_verdict(stop: Stop, chosen: str, phase: str) -> None:
     """Name the prediction; after the run, judge it; show the right answer only on request."""
     right = chosen == stop.right
     own = _("**Your prediction:** {option}").format(option=stop.options[chosen])
     # On a phone this part is above the machine.
     with st.container(key="judged"):
         if phase == progress.PREDICTED:
-            said = own
-            if asked_about() == stop.id:
-                said = _("You have not checked your prediction yet. Press “Next” again to go on without.")
-                st.info(said)
+            sentence = own
+            if confirmed_stop() == stop.id:
+                sentence = _("You have not checked your prediction yet. Press “Next” again to go on without.")
+                st.info(sentence)
             st.markdown(own)
-            _moves(stop, chosen, stop.observation, progress.ANSWERED if right else progress.MISSED)
+            _draw_moves(stop, chosen, stop.observation, progress.ANSWERED if right else progress.MISSED)
             return
         if right:
-            said = _("Your prediction was right.")
-            st.markdown(f":green[:material/check_circle: **{said}**] {stop.options[stop.right]}")
+            sentence = _("Your prediction was right.")
+            st.markdown(f":green[:material/check_circle: **{sentence}**] {stop.options[stop.right]}")
         else:
             reply = stop.reply(chosen)
-            said = _("Your prediction was different. {reply}").format(reply=reply)
-            st.markdown(f"{own}\\\n{said}")
+            sentence = _("Your prediction was different. {reply}").format(reply=reply)
+            st.markdown(f"{own}\\\n{sentence}")
         if phase == progress.MISSED:
-            _moves(stop, chosen, _("Show the answer"), progress.ANSWERED)
+            _draw_moves(stop, chosen, _("Show the answer"), progress.ANSWERED)
         elif not right:
-            said = stop.options[stop.right]
-            st.markdown(_(":green[:material/check_circle: **Right answer:**] {option}").format(option=said))
+            sentence = stop.options[stop.right]
+            st.markdown(_(":green[:material/check_circle: **Right answer:**] {option}").format(option=sentence))
     # The clicked button has disappeared with the focus, so announce the result to a screen reader.
-    components.publish(f"told_{stop.id}_published", {"announce": {"sentence": said, "urgent": True}})
+    components.publish(f"told_{stop.id}_published", {"announce": {"sentence": sentence, "urgent": True}})
 
 
-def _moves(stop: Stop, chosen: str, label: str, phase: str) -> None:
+def _draw_moves(stop: Stop, chosen: str, label: str, phase: str) -> None:
     """Draw the button that continues, and the one that reopens the options while the answer is hidden."""
     with st.container(horizontal=True, gap="small"):
-        st.button(label, key=f"on_{stop.id}", type="primary", on_click=partial(go_on, stop, chosen, phase))
-        st.button(_("Predict again"), key=f"again_{stop.id}", on_click=partial(go_on, stop, None, progress.ASKED))
+        st.button(label, key=f"on_{stop.id}", type="primary", on_click=partial(set_prediction, stop, chosen, phase))
+        st.button(
+            _("Predict again"), key=f"again_{stop.id}", on_click=partial(set_prediction, stop, None, progress.ASKED)
+        )
 
 
-def why(stop: Stop) -> None:
+def draw_explanation(stop: Stop) -> None:
     """Explain the right option, and link to the page with the details."""
     st.markdown(stop.explanation())
     label, page, query = stop.onward
@@ -236,7 +238,7 @@ def why(stop: Stop) -> None:
         st.page_link(PAGES[page].file, label=label, icon=":material/open_in_full:", query_params=dict(query))
 
 
-def _compare_hands(stop: Stop) -> None:
+def _draw_hands_button(stop: Stop) -> None:
     """Draw a button that sets both hands to the moment of the question."""
     machine = sidebar.oscillator()
     time = stop.periods * 2 * math.pi * math.sqrt(machine.m / machine.k)
@@ -244,7 +246,7 @@ def _compare_hands(stop: Stop) -> None:
     components.moment(f"stage_{stop.id}_0", time, label)
 
 
-def observe(stop: Stop, running: bool, fixed: bool) -> None:
+def draw_machines(stop: Stop, running: bool, fixed: bool) -> None:
     """Draw the machine of the sliders, or after the prediction all machines of the stop with a common clock."""
     several = len(stop.runs) > 1
     hidden = [layer for layer in stage.LAYERS if layer not in stop.layers] if running else {*stop.hides, *stage.LAYERS}
@@ -253,8 +255,8 @@ def observe(stop: Stop, running: bool, fixed: bool) -> None:
     own: dict[str, Any] = {"watch": {}} if labelled else {}
     if fixed or labelled:
         own["limits"] = stages.LIMITS[1:] * 2
-    if class_session.key_held():
-        own["on_view"] = partial(class_session.tell_seen, stop)
+    if class_session.lecturer_key():
+        own["on_view"] = partial(class_session.send_view, stop)
     for number, run in enumerate(stop.runs if running else stop.runs[:1]):
         machine = run.machine if labelled else sidebar.oscillator()
         compression = run.compression if labelled else sidebar.compression()
@@ -292,12 +294,14 @@ def _caption(stop: Stop, running: bool) -> str:
     machine = stop.shown if running else stop.machine
     if not sidebar.holds(machine, stop.compression):
         # TRANSLATORS: {machine} is a list such as: m = 1 kg, m′ = 2 kg, k = 10 N/m.
-        return _("You have changed the machine. The question is about {machine}.").format(machine=_written(machine))
+        return _("You have changed the machine. The question is about {machine}.").format(
+            machine=_machine_text(machine)
+        )
     # TRANSLATORS: {machine} is a list such as: m = 1 kg, m′ = 2 kg, k = 10 N/m.
-    said = _("This machine has {machine}.") if running else _("The machine: {machine}.")
-    return said.format(machine=_written(machine))
+    sentence = _("This machine has {machine}.") if running else _("The machine: {machine}.")
+    return sentence.format(machine=_machine_text(machine))
 
 
-def _written(machine: Oscillator) -> str:
+def _machine_text(machine: Oscillator) -> str:
     values = {"m": machine.m, "m_prime": machine.m_prime, "k": machine.k}
     return ", ".join(PARAMETERS[key].equation(value) for key, value in values.items())

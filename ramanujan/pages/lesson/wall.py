@@ -30,9 +30,9 @@ A busy server can lose elements of a run if the page requests the next run meanw
 """
 
 
-def guests() -> None:
+def draw_wall() -> None:
     """Draw the wall and end the run, if this session is one; for others do nothing."""
-    if code := class_session.wall_held():
+    if code := class_session.wall_code():
         _draw(code)
         st.stop()
 
@@ -45,21 +45,21 @@ def _draw(code: str) -> None:
             question = class_session.question(code)
         except ClassError:
             st.session_state.pop(_LOOKS, None)
-            _watch(code)
+            _follow_class(code)
             st.button(_("Leave this class"), key="class_leave", on_click=class_session.leave)
             return
-        class_session.take_settings(shared().machine(code))
+        class_session.apply_settings(shared().machine(code))
         # This comes first, because the next run can cut off the end of this one.
-        _watch(code)
+        _follow_class(code)
         if question.stop is None:
-            _how_to_join(code)
+            _draw_invitation(code)
         elif question.stop == END:
-            _look_back(code)
+            _draw_results(code)
         else:
-            _show(code, lesson.stop(question.stop), question)
+            _draw_question(code, lesson.stop(question.stop), question)
 
 
-def _show(code: str, stop: Stop, question: ClassQuestion) -> None:
+def _draw_question(code: str, stop: Stop, question: ClassQuestion) -> None:
     """Draw a question and its votes across the wall, with the machine in the remaining height."""
     is_solved = question.phase == Phase.SOLVED
     is_running = question.phase >= Phase.RUNNING
@@ -77,13 +77,13 @@ def _show(code: str, stop: Stop, question: ClassQuestion) -> None:
         if is_solved:
             with st.container(key="wall_reason"):
                 st.markdown(stop.explanation())
-                class_results.comment(code, stop, question.vote)
+                class_results.draw_commonest_mistake(code, stop, question.vote)
     with st.container(key="wall_running" if is_running else "wall_still"):
-        stops.show(stop, running=is_running, fixed=True)
+        stops.draw_observation(stop, running=is_running, fixed=True)
 
 
 @st.fragment(run_every=class_session.FOLLOWED_EVERY)
-def _watch(code: str) -> None:
+def _follow_class(code: str) -> None:
     """Draw the numbers that change often. Rerun the page when the class moves on or ends, and once more later."""
     try:
         now = class_session.question(code)
@@ -100,35 +100,35 @@ def _watch(code: str) -> None:
     class_session.follow(code)
     with st.container(key="class_wall_foot", horizontal=True, vertical_alignment="center", gap="large"):
         if not now.is_known:
-            st.markdown(class_results.unknown_stop(), width="content")
+            st.markdown(class_results.unknown_stop_sentence(), width="content")
         elif now.stop is None:
-            st.markdown(class_results.joined(now.present), width="content")
+            st.markdown(class_results.joined_sentence(now.present), width="content")
         elif now.stop != END:
             if now.reached == Phase.ASKED:
-                st.markdown(f"**{class_results.answered(now)}**", width="content")
+                st.markdown(f"**{class_results.answers_sentence(now)}**", width="content")
             here = address.link_for_others({})
             st.text(f"{here.netloc}{here.path}  ·  {spaced(code)}", width="content")
 
 
-def _look_back(code: str) -> None:
+def _draw_results(code: str) -> None:
     """Draw the results of the class and the address of the whole lesson, without the code of the class."""
     here = address.link_for_others({})
     table, words = display_mode.picture_and_words()
     with table:
-        st.title(class_results.LEARNED, anchor=False)
-        class_results.learned(code)
+        st.title(class_results.RESULTS_HEADING, anchor=False)
+        class_results.draw_whole_lesson(code)
     with words:
         st.markdown(_("The whole lesson, to go on alone:"))
-        class_results.qr_code(here.geturl())
+        class_results.draw_qr_code(here.geturl())
         st.text(f"{here.netloc}{here.path}")
 
 
-def _how_to_join(code: str) -> None:
+def _draw_invitation(code: str) -> None:
     """Draw code and address in letters for the last row."""
     here = address.link_for_others({"class": code})
     picture, words = display_mode.picture_and_words(2)
     with picture:
-        class_results.qr_code(here.geturl())
+        class_results.draw_qr_code(here.geturl())
     with words, st.container(key="class_invitation"):
         st.title(_("Join the class"), anchor=False)
         st.markdown(_("On your phone, open"))
@@ -136,4 +136,4 @@ def _how_to_join(code: str) -> None:
         st.container(key="class_address").text(f"{here.netloc}{here.path}")
         st.markdown(_("then choose **Class** and type"))
         st.container(key="class_letters").text(spaced(code))
-        class_results.warn_of_unreachable_address()
+        class_results.warn_of_local_address()

@@ -33,8 +33,8 @@ def show() -> None:
     machine, compression = sidebar.oscillator(), sidebar.compression()
     with slide("machine", _("The machine")):
         picture, words = display_mode.picture_and_words()
-        asked, said = columns("opening")
-        with words, asked:
+        question_column, verdict_column = columns("opening")
+        with words, question_column:
             st.title(_("Motion"), anchor=False)
             st.markdown(
                 _(
@@ -52,17 +52,17 @@ def show() -> None:
         largest = largest_compression(machine, mu, spacing=motion.spacing)
         friction = Friction(mu, largest, first_to_slip(machine, largest, motion.spacing))
         with scene:
-            the_machine(motion, friction)
+            draw_machine(motion, friction)
             if not display_mode.is_projector():
                 components.cursor("motion")
-        with picture, said, st.container(key="verdict"):
-            verdict(friction, compression)
+        with picture, verdict_column, st.container(key="verdict"):
+            draw_verdict(friction, compression)
     if display_mode.is_projector():
         components.cursor("motion")
-    the_figures(motion, friction, setting)
+    draw_figures(motion, friction, setting)
 
 
-def the_machine(motion: Record, friction: Friction) -> None:
+def draw_machine(motion: Record, friction: Friction) -> None:
     """Draw the machine in motion, with a mark at each contact that slips."""
     slips = motion.compression > friction.largest
     stages.mount(
@@ -76,7 +76,7 @@ def the_machine(motion: Record, friction: Friction) -> None:
     )
 
 
-def verdict(friction: Friction, compression: float) -> None:
+def draw_verdict(friction: Friction, compression: float) -> None:
     """Say whether every contact rolls, in sentences of about the same length."""
     holds = compression <= friction.largest
     sentence = (
@@ -96,7 +96,7 @@ def verdict(friction: Friction, compression: float) -> None:
     st.container(border=True, width="content").markdown(text)
 
 
-def freeze(motion: Record) -> None:
+def offer_pause(motion: Record) -> None:
     """Offer a button that stops at the instant at which a contact needs the most friction."""
     instant, contact = greatest_friction(motion)
     label = _("Pause at the greatest friction ({contact}, t\u00a0=\u00a0{time})").format(
@@ -115,7 +115,7 @@ def greatest_friction(motion: Record) -> tuple[float, str]:
     return float(motion.t[needed[first].argmax()]), first
 
 
-def download(motion: Record, mu: float) -> None:
+def offer_files(motion: Record, mu: float) -> None:
     """Offer the record as a CSV file and as a JSON file."""
     settings = [(each.label, each.value) for each in (*PARAMETERS.values(), GLIDE, SPIN, MU)]
     widgets.download(
@@ -136,11 +136,11 @@ def download(motion: Record, mu: float) -> None:
     )
 
 
-def the_figures(motion: Record, friction: Friction, setting: cache.Setting) -> None:
+def draw_figures(motion: Record, friction: Friction, setting: cache.Setting) -> None:
     """Draw the figures of the open view, or in the projector view a slide for each view."""
     projector = display_mode.is_projector()
-    shows = {"displacements": plots.show_displacements, "energy": plots.show_energy, "momentum": plots.show_momentum}
-    shows["forces"] = plots.forces_over_time if projector else partial(plots.show_forces, friction=friction)
+    shows = {"displacements": plots.draw_displacements, "energy": plots.draw_energy, "momentum": plots.draw_momentum}
+    shows["forces"] = plots.draw_contact_forces if projector else partial(plots.draw_forces, friction=friction)
     if projector:
         places = {view: slide(view, title) for view, title in FIGURES.items()}
     else:
@@ -149,15 +149,15 @@ def the_figures(motion: Record, friction: Friction, setting: cache.Setting) -> N
         with place:
             if not projector:
                 with st.container(horizontal=True):
-                    download(motion, friction.coefficient)
+                    offer_files(motion, friction.coefficient)
                     if view == "forces":
-                        freeze(motion)
+                        offer_pause(motion)
             shows[view](motion, cache.figures(view, theme.current(), *setting))
             if view == "forces":
-                plots.about_forces(motion)
+                plots.explain_forces(motion)
     if projector:
         with slide("friction", _("Friction needed")):
-            plots.friction_needed(motion, friction)
+            plots.draw_required_friction(motion, friction)
 
 
 if __name__ == "__main__":

@@ -28,7 +28,7 @@ class Friction:
     first: str
 
 
-def show_displacements(motion: Record, drawn: tuple[Drawn, ...]) -> None:
+def draw_displacements(motion: Record, drawn: tuple[Drawn, ...]) -> None:
     """Draw displacements over time and the phase plane, and explain the two initial velocities."""
     time, plane = st.columns([3, 2])
     farthest = {
@@ -40,7 +40,7 @@ def show_displacements(motion: Record, drawn: tuple[Drawn, ...]) -> None:
     # Rounding errors may leave a small drift.
     drifts = ((x[-1] - x[0]) / end * 100 for x in (motion.ground_positions["block"], motion.relative_positions["top"]))
     block, top = (round(float(drift), 9) for drift in drifts)
-    sees = [
+    alternative = [
         _("Displacements over time."),
         _("The whole machine glides steadily, and the slab oscillates about this drift.")
         if block
@@ -49,14 +49,14 @@ def show_displacements(motion: Record, drawn: tuple[Drawn, ...]) -> None:
         _("Greatest distance from the start, relative to the ground: {distances}."),
     ]
     with time:
-        chart(drawn[0], "displacements", " ".join(sees).format(distances=listed(PARTS, farthest, "cm")))
+        draw_chart(drawn[0], "displacements", " ".join(alternative).format(distances=listed(PARTS, farthest, "cm")))
     ellipse = _(
         "Phase plane: velocity over displacement. Relative to the block the slab runs around a closed ellipse, because "
         "it oscillates with one frequency. It reaches ±{displacement:3 cm} and ±{velocity:3 cm/s}."
     )
     x, v = 100 * motion.compression, 100 * motion.compression * motion.oscillator.natural_frequency
     with plane:
-        chart(drawn[1], "phase_plane", filled(ellipse, displacement=x, velocity=v))
+        draw_chart(drawn[1], "phase_plane", filled(ellipse, displacement=x, velocity=v))
     sentences = [
         _("In the phase plane the block moves relative to the ground, the others relative to the block."),
         _(
@@ -77,7 +77,7 @@ def show_displacements(motion: Record, drawn: tuple[Drawn, ...]) -> None:
             st.caption(text)
 
 
-def show_energy(motion: Record, drawn: tuple[Drawn, ...]) -> None:
+def draw_energy(motion: Record, drawn: tuple[Drawn, ...]) -> None:
     """Draw the energies, stacked."""
     total = motion.total_energy
     spread = max(float(abs(total - total[0]).max() / total[0]), np.finfo(float).eps)
@@ -87,13 +87,13 @@ def show_energy(motion: Record, drawn: tuple[Drawn, ...]) -> None:
             kinds = [energy for key, energy in motion.energies.items() if key.startswith(body)]
             peaks[body] = float(np.sum(kinds, axis=0).max())
     greatest = max(peaks, key=peaks.__getitem__)
-    sees = _(
+    alternative = _(
         "Energies of all bodies, stacked: energy passes between the spring and the bodies, and the sum stays at "
         "{total:4 mJ}. No other body ever has as much kinetic energy as this one: {body}."
     )
     words, figure = columns("energy")
     with figure:
-        chart(drawn[0], "energy", filled(sees, total=1e3 * total[0], body=PARTS[greatest]))
+        draw_chart(drawn[0], "energy", filled(alternative, total=1e3 * total[0], body=PARTS[greatest]))
     sentences = [
         _(
             "Solid areas: kinetic energy of translation relative to the ground. Hatched areas: of rotation. The sum is "
@@ -108,17 +108,17 @@ def show_energy(motion: Record, drawn: tuple[Drawn, ...]) -> None:
         st.caption(filled(" ".join(sentences), total=1e3 * total[0], error=spread, spring=spring))
 
 
-def show_momentum(motion: Record, drawn: tuple[Drawn, ...]) -> None:
+def draw_momentum(motion: Record, drawn: tuple[Drawn, ...]) -> None:
     """Draw the momenta of the bodies and the two conserved momenta."""
     p_X, p_Phi = (float(motion.momenta[name][0]) for name in ("p_X", "p_Phi"))
     of_X, _of_phi, of_Phi = map(latex, MOMENTA)
-    sees = _(
+    alternative = _(
         "Momentum of each body over time. The bodies exchange momentum, but two lines are flat, because two momenta "
         "are conserved: all bodies together {all:3 kg m/s}, p_Φ/R {top:3 kg m/s}."
     )
     words, figure = columns("momentum")
     with figure:
-        chart(drawn[0], "momentum", filled(sees, all=-p_X, top=p_Phi / motion.oscillator.radius))
+        draw_chart(drawn[0], "momentum", filled(alternative, all=-p_X, top=p_Phi / motion.oscillator.radius))
     sentence = _(
         "The bodies exchange momentum, but two momenta are conserved, because the Lagrangian contains neither $X$ nor "
         "$\\Phi$. $-{p_X}$ is the momentum of the whole machine; $X$ is positive to the left, hence the minus sign. "
@@ -129,26 +129,26 @@ def show_momentum(motion: Record, drawn: tuple[Drawn, ...]) -> None:
         st.caption(sentence.format(p_X=of_X, p_Phi=of_Phi))
 
 
-def show_forces(motion: Record, drawn: tuple[Drawn, ...], friction: Friction) -> None:
+def draw_forces(motion: Record, drawn: tuple[Drawn, ...], friction: Friction) -> None:
     """Draw contact forces over time, and the friction that each contact needs."""
     time, bars = st.columns([3, 2])
     with time:
-        forces_over_time(motion, drawn)
+        draw_contact_forces(motion, drawn)
     with bars:
-        friction_needed(motion, friction)
+        draw_required_friction(motion, friction)
 
 
-def forces_over_time(motion: Record, drawn: tuple[Drawn, ...]) -> None:
+def draw_contact_forces(motion: Record, drawn: tuple[Drawn, ...]) -> None:
     """Draw contact forces over time."""
     strongest = {name: float(abs(force).max()) for name, force in motion.forces.items() if name in cache.CONTACTS}
-    sees = _(
+    alternative = _(
         "Contact forces over time: friction follows the motion of the spring, and the slab’s weight shifts between the "
         "rollers. Greatest friction: {forces}."
     )
-    chart(drawn[0], "contact_forces", sees.format(forces=listed(cache.CONTACTS, strongest, "N")))
+    draw_chart(drawn[0], "contact_forces", alternative.format(forces=listed(cache.CONTACTS, strongest, "N")))
 
 
-def about_forces(motion: Record) -> None:
+def explain_forces(motion: Record) -> None:
     """Explain the curves of the forces."""
     sentence = _(
         "Forces on the rollers, positive to the right. The axes of the two lower rollers are {spacing} apart, as "
@@ -157,7 +157,7 @@ def about_forces(motion: Record) -> None:
     st.caption(sentence.format(spacing=centimetres(motion.spacing)))
 
 
-def about_friction() -> None:
+def explain_friction() -> None:
     """Explain the bars of the required friction."""
     st.caption(
         _(
@@ -167,7 +167,7 @@ def about_friction() -> None:
     )
 
 
-def friction_needed(motion: Record, friction: Friction) -> None:
+def draw_required_friction(motion: Record, friction: Friction) -> None:
     """Draw the required friction of each contact as bars, with the current μ and the largest compression."""
     needed = required_friction(motion.oscillator, motion.compression, spacing=motion.spacing)
     mu, colors = friction.coefficient, theme.colors()
@@ -177,14 +177,16 @@ def friction_needed(motion: Record, friction: Friction) -> None:
         friction_coefficient=mu,
         colors=colors,
     )
-    sees = _("Friction coefficient that each contact needs; a contact that needs more than μ = {mu} slips. {needed}.")
-    chart(bars, "friction_needed", sees.format(mu=fixed(mu, 2), needed=listed(cache.CONTACTS, needed, "")))
+    alternative = _(
+        "Friction coefficient that each contact needs; a contact that needs more than μ = {mu} slips. {needed}."
+    )
+    draw_chart(bars, "friction_needed", alternative.format(mu=fixed(mu, 2), needed=listed(cache.CONTACTS, needed, "")))
     sentence = _("Largest compression without slip: **{length:3↓ cm}**")
     st.markdown(filled(sentence, length=100 * friction.largest))
-    about_friction()
+    explain_friction()
 
 
-def chart(figure: Drawn, name: str, alt: str) -> None:
+def draw_chart(figure: Drawn, name: str, alt: str) -> None:
     """Draw a figure with Plotly's legend, hover and zoom."""
     drawings.plot(figure, f"figure_{name}", alt, config={"displaylogo": False})
 

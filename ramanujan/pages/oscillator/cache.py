@@ -80,7 +80,7 @@ def figure(light_or_dark: str) -> Drawn:
 
 
 @dataclass(frozen=True)
-class Way:
+class StepDetail:
     """A derivation of results: a step of the route, its equations between them, and all of its equations as LaTeX."""
 
     heading: str
@@ -103,7 +103,7 @@ class SummaryStep:
 
     heading: str
     results: tuple[str, ...]
-    ways: tuple[Way, ...]
+    ways: tuple[StepDetail, ...]
     numbers: tuple[Row, ...]
 
 
@@ -124,7 +124,7 @@ SUMMARY: tuple[Mapping[str, slice], ...] = (
 @st.cache_data(show_spinner=False, max_entries=256)
 def summary(numbers: Numbers | None) -> list[SummaryStep]:
     """Return the derivation in six steps, with the current numbers if they are given."""
-    return [_line(wanted, numbers) for wanted in SUMMARY]
+    return [_summary_step(wanted, numbers) for wanted in SUMMARY]
 
 
 @st.cache_resource(show_spinner=False)
@@ -133,7 +133,7 @@ def _in_symbols(key: str) -> tuple[Step, list[Row]]:
     return step, rows(step)
 
 
-def _line(wanted: Mapping[str, slice], given: Numbers | None) -> SummaryStep:
+def _summary_step(wanted: Mapping[str, slice], given: Numbers | None) -> SummaryStep:
     steps = {key: _in_symbols(key) for key in wanted}
     *_before, last = wanted
     in_full = {**wanted, last: _ALL}
@@ -144,13 +144,13 @@ def _line(wanted: Mapping[str, slice], given: Numbers | None) -> SummaryStep:
         steps[last][0].heading,
         tuple(row.unmarked.latex for row in results),
         tuple(
-            Way(
+            StepDetail(
                 step.heading,
                 step.reason,
-                tuple(row for row in found if row not in results),
-                aligned(found, _BESIDE),
+                tuple(row for row in all_rows if row not in results),
+                aligned(all_rows, _BESIDE),
             )
-            for step, found in steps.values()
+            for step, all_rows in steps.values()
         ),
         tuple(row.unmarked for row in numbers if row not in symbols),
     )

@@ -11,14 +11,14 @@ from ramanujan.derivation.numbers import Numbers, stated
 from ramanujan.derivation.rows import Row, aligned, on_a_phone
 from ramanujan.numerals import filled, number
 from ramanujan.pages.oscillator import cache, story, texts
-from ramanujan.pages.oscillator.story import gained
+from ramanujan.pages.oscillator.story import turns_gained
 from ramanujan.shell import address, display_mode, drawings, first_run, navigation, sidebar, stages, theme, widgets
 from ramanujan.shell.display_mode import slide
 from ramanujan.translation import _
 
 # With "on", the slider of m′ marks the unit ratio before the visitor has found it.
-FOUND = address.Choice("found", ("on",))
-URL_PARAMETERS = (FOUND,)
+MARK = address.Choice("found", ("on",))
+URL_PARAMETERS = (MARK,)
 # Frequencies with a smaller relative difference are equal except for rounding.
 _SAME = 1e-12
 
@@ -29,11 +29,11 @@ def warm_up() -> None:
     cache.summary(Numbers(1.0, 1.0, 1.0))
 
 
-def lead() -> bool:
+def draw_header() -> bool:
     """Draw the machine with the controls and return True. The projector view has no room for them: return False."""
     if display_mode.is_projector():
         return False
-    composition()
+    draw_composition()
     if not first_run.only_machine():
         sidebar.more(sidebar.PRESETS, ("compression", "radius"))
         sidebar.end()
@@ -44,23 +44,23 @@ def show() -> None:
     """Draw the page."""
     if display_mode.is_projector():
         with slide("machine", _("The machine")):
-            composition()
-    tell_machine()
+            draw_composition()
+    publish_machine()
     if first_run.only_machine():
         # Reserve the height of the other elements: a scroll bar that appears later would move the machine.
         st.container(height=5000, border=False)
         return
     if not display_mode.hides("curve"):
-        components.pick("curve", take_clicked)
+        components.pick("curve", set_clicked_ratio)
         with slide("curve", _("The curve")):
-            the_curve()
+            draw_curve()
     if display_mode.hides("steps"):
-        sidebar.follow(*followers())
+        sidebar.follow(*dependent_fragments())
     else:
-        the_steps()
+        draw_derivation()
 
 
-def followers() -> list[str]:
+def dependent_fragments() -> list[str]:
     """Return the keys of the fragments above the six steps that depend on the machine."""
     return ["machine", "present"] if shows_numbers() else ["machine"]
 
@@ -71,37 +71,37 @@ def shows_numbers() -> bool:
 
 
 @st.fragment(key="machine")
-def tell_machine() -> None:
+def publish_machine() -> None:
     """Publish the machine to the stage and the boxes of the sliders."""
     machine = stage.payload(sidebar.oscillator(), sidebar.compression())
-    stages.tell(machine, name="oscillator", more=sidebar.followed())
+    stages.publish(machine, name="oscillator", more=sidebar.followed())
 
 
-def the_steps() -> None:
+def draw_derivation() -> None:
     """Draw the short derivation, and the link to the full one."""
     if display_mode.is_projector():
-        six_steps()
+        draw_six_steps()
         return
     st.header(texts.steps_heading(), anchor=False)
     lines, derivation = st.container(key="steps"), navigation.PAGES["derivation"]
     st.page_link(derivation.file, label=_("The whole derivation, in many ways"), icon=f":material/{derivation.icon}:")
     with lines:
-        six_steps()
+        draw_six_steps()
 
 
-def composition() -> None:
+def draw_composition() -> None:
     """Draw the opening and the machine."""
     with st.container(key="composition"):
-        opening()
+        draw_opening()
         stages.mount(None, name="oscillator", layers=())
 
 
-def opening() -> None:
+def draw_opening() -> None:
     """Draw the question. On a reader's screen, add the link to the lesson, the button of the story and the sliders."""
     st.title(_("Ramanujan’s oscillator"), anchor=False)
     if not display_mode.is_projector():
         with st.container(key="to_lesson"):
-            to_lesson()
+            draw_lesson_link()
     compares = not display_mode.hides("clocks", "numbers")
     question = _("**When does this machine of five bodies oscillate in step with a plain mass on the same spring?**")
     if compares:
@@ -110,17 +110,17 @@ def opening() -> None:
     if display_mode.is_projector():
         return
     if compares:
-        tell_story()
+        draw_story_button()
     for key in ("m_prime", "m", "k"):
         sidebar.slider(key)
 
 
-def tell_story() -> None:
+def draw_story_button() -> None:
     """Draw the button of the story, which ends at the one mass ratio at which both hands turn together."""
-    components.story(story.data(marked=address.keep(FOUND) == "on"))
+    components.story(story.data(marked=address.keep(MARK) == "on"))
 
 
-def to_lesson() -> None:
+def draw_lesson_link() -> None:
     """Draw the link to the lesson. In the first run, only reserve its place."""
     if first_run.only_machine():
         st.empty()
@@ -128,22 +128,22 @@ def to_lesson() -> None:
     st.page_link(navigation.PAGES["lesson"].file, label=_("New to this? Take the lesson"), width="content")
 
 
-def the_curve() -> None:
+def draw_curve() -> None:
     """Draw the Ω² curve with a ring at the current machine."""
     base = cache.curve()
     st.header(texts.curve_heading(), anchor=False)
     st.markdown(texts.curve_text())
     # The ring shows the current machine, so the figure is sent to a page only once.
-    sees = texts.curve_alternative(base)
-    drawings.plot(cache.figure(theme.current()), "curve", sees)
+    alternative = texts.curve_alternative(base)
+    drawings.plot(cache.figure(theme.current()), "curve", alternative)
     if shows_numbers():
-        present()
+        describe_machine()
     with st.container(key="click_curve"):
         st.caption(texts.curve_hint())
 
 
 @st.fragment(key="present")
-def present() -> None:
+def describe_machine() -> None:
     """Describe the position of the current machine on the curve, and compare it with the plain mass."""
     machine = sidebar.oscillator()
     sentence = _(
@@ -158,12 +158,12 @@ def present() -> None:
         period=machine.period,
     )
     with st.container(key="your_machine"):
-        st.markdown(numbers if display_mode.hides("clocks") else f"{numbers} {compared(machine)}")
+        st.markdown(numbers if display_mode.hides("clocks") else f"{numbers} {compare_with_plain_mass(machine)}")
 
 
-def compared(machine: Oscillator) -> str:
+def compare_with_plain_mass(machine: Oscillator) -> str:
     """Compare a machine with the plain mass: in step, or a full turn apart after a number of periods."""
-    faster = float(gained(machine.mass_ratio))
+    faster = float(turns_gained(machine.mass_ratio))
     if abs(faster) < _SAME:
         return _("It is in step with the plain mass.")
     sentence = (
@@ -174,7 +174,7 @@ def compared(machine: Oscillator) -> str:
     return filled(sentence, turns=1 / abs(faster))
 
 
-def take_clicked(point: dict[str, float]) -> None:
+def set_clicked_ratio(point: dict[str, float]) -> None:
     """Set the mass ratio of the clicked point: exact at a mark, with round masses elsewhere."""
     base = cache.curve()
     near = [mark for mark in (base.equal.ratio, base.unit.ratio) if math.isclose(point["x"], mark, rel_tol=0.02)]
@@ -182,14 +182,14 @@ def take_clicked(point: dict[str, float]) -> None:
 
 
 @st.fragment(key="steps")
-def six_steps() -> None:
+def draw_six_steps() -> None:
     """Draw the short derivation with an expander for each step."""
     machine = sidebar.oscillator()
     numbers = None if display_mode.hides("numbers") else Numbers.of(machine)
     steps = cache.summary(numbers)
     shown = display_mode.is_projector()
     if shown:
-        on_slides(steps)
+        draw_slides(steps)
     else:
         for n, step in enumerate(steps, start=1):
             results = " ".join(f"${result}$" for result in step.results).replace(r"\frac", r"\dfrac")
@@ -199,19 +199,19 @@ def six_steps() -> None:
             if line.open:
                 shown = True
                 with line:
-                    one_step(n, step, numbers)
-    sidebar.follow(*followers(), *(["steps"] if shown else []))
+                    draw_step(n, step, numbers)
+    sidebar.follow(*dependent_fragments(), *(["steps"] if shown else []))
 
 
-def one_step(n: int, step: cache.SummaryStep, numbers: Numbers | None) -> None:
+def draw_step(n: int, step: cache.SummaryStep, numbers: Numbers | None) -> None:
     """Explain a step of the derivation, with its results for the current machine."""
     for place, way in enumerate(step.ways):
         st.markdown(way.reason)
         draw_equations(f"{n}_{place}", way.between)
-    with_numbers(n, step.numbers, cache.LINE_WIDTH, stated(numbers) if numbers else "")
+    draw_numbers(n, step.numbers, cache.LINE_WIDTH, stated(numbers) if numbers else "")
 
 
-def with_numbers(n: int, rows: Sequence[Row], width: int, stated: str = "") -> None:
+def draw_numbers(n: int, rows: Sequence[Row], width: int, stated: str = "") -> None:
     """Draw equations with the current numbers, if there are any."""
     if rows:
         heading = _("Your machine")
@@ -225,7 +225,7 @@ def draw_equations(key: str, rows: Sequence[Row], width: int = cache.LINE_WIDTH)
         widgets.equations(key, aligned(rows, width), on_a_phone(rows))
 
 
-def on_slides(steps: list[cache.SummaryStep]) -> None:
+def draw_slides(steps: list[cache.SummaryStep]) -> None:
     """Draw each way to a result on a slide of the projector view, next to the machine with its symbols."""
     from ramanujan.lesson.picture import machine_svg  # Imported late: the first page of a visitor does not need it.
 
@@ -240,7 +240,7 @@ def on_slides(steps: list[cache.SummaryStep]) -> None:
                 with picture:
                     drawings.draw(machine, alt=_("The machine with its coordinates."), style="width:100%")
                     if way == step.ways[-1]:
-                        with_numbers(n, step.numbers, 24)
+                        draw_numbers(n, step.numbers, 24)
 
 
 if __name__ == "__main__":

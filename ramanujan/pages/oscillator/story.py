@@ -51,7 +51,7 @@ class Scene:
     periods: float
 
 
-def gained(ratios: ArrayLike) -> NDArray[np.float64]:
+def turns_gained(ratios: ArrayLike) -> NDArray[np.float64]:
     """Return the gain of the machine's hand in each period of the plain mass [turns], √f(ε) − 1."""
     return np.sqrt(normalized_frequency_squared(ratios)) - 1
 
@@ -64,23 +64,27 @@ def story(start: float) -> tuple[Scene, ...]:
     ----------
     start : ε of the heavy rollers, dimensionless
     """
-    lighter = Scene(_("Lighter rollers: the machine falls behind more slowly."), _moved(start, UNIT_MASS_RATIO), 5)
-    turns = math.ceil(-turns_in(lighter) - float(gained(start)))
-    wait = (turns + turns_in(lighter)) / -float(gained(start))
+    lighter = Scene(
+        _("Lighter rollers: the machine falls behind more slowly."), _moving_ratios(start, UNIT_MASS_RATIO), 5
+    )
+    turns = math.ceil(-turns_in_scene(lighter) - float(turns_gained(start)))
+    wait = (turns + turns_in_scene(lighter)) / -float(turns_gained(start))
     heavy = _("Heavy rollers: in {periods} periods the machine falls one full turn behind.")
     ahead = (
-        Scene(_("Still lighter: now the machine is faster."), _moved(UNIT_MASS_RATIO, 1.0), 1.2),
-        _stay(_("Equal masses: in {periods} periods the machine gains one full turn."), 1.0, 3),
-        Scene(_("Heavier again: the machine slows down."), _moved(1.0, _OVER), 1.5),
+        Scene(_("Still lighter: now the machine is faster."), _moving_ratios(UNIT_MASS_RATIO, 1.0), 1.2),
+        _still_scene(_("Equal masses: in {periods} periods the machine gains one full turn."), 1.0, 3),
+        Scene(_("Heavier again: the machine slows down."), _moving_ratios(1.0, _OVER), 1.5),
     )
-    back = Scene(_("Between the two, one mass ratio keeps both hands together."), _moved(_OVER, UNIT_MASS_RATIO), 1.2)
-    rest = sum(map(turns_in, (*ahead, back))) / -float(gained(_OVER))
+    back = Scene(
+        _("Between the two, one mass ratio keeps both hands together."), _moving_ratios(_OVER, UNIT_MASS_RATIO), 1.2
+    )
+    rest = sum(map(turns_in_scene, (*ahead, back))) / -float(turns_gained(_OVER))
     return (
-        _stay(heavy, start, wait),
+        _still_scene(heavy, start, wait),
         lighter,
-        _stay(_("Here both hands turn together."), UNIT_MASS_RATIO, 2),
+        _still_scene(_("Here both hands turn together."), UNIT_MASS_RATIO, 2),
         *ahead,
-        _stay(_("Too heavy: in {periods} periods the machine falls one full turn behind."), _OVER, rest),
+        _still_scene(_("Too heavy: in {periods} periods the machine falls one full turn behind."), _OVER, rest),
         back,
     )
 
@@ -122,26 +126,26 @@ def stills() -> list[dict[str, str | float]]:
     """Return still clocks for visitors who prefer reduced motion: labels, and turns between the hands."""
     ratios = {"5": 5.0, "2": 2.0, f"{number(UNIT_MASS_RATIO, 4)}…": UNIT_MASS_RATIO, "1": 1.0, number(0.5, 1): 0.5}
     return [
-        {"label": f"ε = {label}", "turns": round(STILL_PERIODS * float(gained(ratio)), 6)}
+        {"label": f"ε = {label}", "turns": round(STILL_PERIODS * float(turns_gained(ratio)), 6)}
         for label, ratio in ratios.items()
     ]
 
 
-def turns_in(scene: Scene) -> float:
+def turns_in_scene(scene: Scene) -> float:
     """Return the gain of the machine's hand in a scene [turns]."""
     # Between two knots ε is linear in time, and √f nearly is.
     fine = np.linspace(0, 1, 50 * len(scene.ratios) + 1)
     ratios = np.interp(fine, np.linspace(0, 1, len(scene.ratios)), scene.ratios)
-    return scene.periods * float(np.trapezoid(gained(ratios), fine))
+    return scene.periods * float(np.trapezoid(turns_gained(ratios), fine))
 
 
-def _stay(sentence: str, ratio: float, periods: float) -> Scene:
+def _still_scene(sentence: str, ratio: float, periods: float) -> Scene:
     """Return a scene with a constant machine. Its sentence contains the time until the hands are a full turn apart."""
-    apart = 1 / abs(float(gained(ratio))) if ratio != UNIT_MASS_RATIO else math.inf
+    apart = 1 / abs(float(turns_gained(ratio))) if ratio != UNIT_MASS_RATIO else math.inf
     return Scene(sentence.format(periods=number(apart, 2)), (ratio, ratio), periods)
 
 
-def _moved(start: float, end: float) -> tuple[float, ...]:
+def _moving_ratios(start: float, end: float) -> tuple[float, ...]:
     share = np.linspace(0, 1, _KNOTS + 1)[1:-1]
     # Round the numbers: every run of the page sends the story.
     between = np.round(start * (end / start) ** (share**2 * (3 - 2 * share)), 3)

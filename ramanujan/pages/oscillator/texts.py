@@ -3,7 +3,7 @@
 from ramanujan.figures.oscillator import Curve
 from ramanujan.numerals import number
 from ramanujan.pages.oscillator import cache
-from ramanujan.pages.oscillator.story import gained
+from ramanujan.pages.oscillator.story import turns_gained
 from ramanujan.translation import _
 
 
@@ -13,7 +13,7 @@ def question() -> str:
         "Two machines, one spring: with equal masses they are one full turn apart after {periods} periods. "
         "**Which m′ keeps them in step?**"
     )
-    return sentences.format(periods=number(1 / float(gained(1.0)), 2))
+    return sentences.format(periods=number(1 / float(turns_gained(1.0)), 2))
 
 
 def curve_heading() -> str:

@@ -33,7 +33,7 @@ from ramanujan.integrators import METHODS
 from ramanujan.lesson import answer_tasks
 from ramanujan.pages.speed import downsampling
 from ramanujan.pages.speed.downsampling import Run
-from ramanujan.shell.cache import giving_way
+from ramanujan.shell.cache import responsive
 from ramanujan.translation import _
 
 ALONG = {
@@ -52,19 +52,19 @@ _CURVES = [(method, dtype) for dtype in DTYPES for method in METHODS]
 
 _SLICE, _PAUSE = 0.03, 0.015
 """Duration of a stretch of work, and of the pause for other visitors after it [s]."""
-_ALONE = threading.Lock()
+_MEASURING = threading.Lock()
 """Lock of the time measurements, because two at once would disturb each other."""
 
 
 @st.cache_resource(show_spinner=False, max_entries=512)
-@giving_way()
+@responsive()
 def run(method: str, steps: int, periods: int, dtype: str) -> Run:
     """Return one integration. It is the same for every machine."""
     return downsampling.downsampled(error_history(method, steps, periods, dtype), steps, periods)
 
 
 @st.cache_resource(show_spinner=_("Computing all methods …"), max_entries=1)
-@giving_way()
+@responsive()
 def races() -> tuple[WorkPrecision, ...]:
     """Return the runs of all methods in the challenge."""
     return answer_tasks.races()
@@ -94,20 +94,20 @@ def errors(method: str, dtype: str, periods: int) -> WorkPrecision:
             time.sleep(_PAUSE)
             rested = time.monotonic()
 
-    with giving_way():
+    with responsive():
         return work_precision(method, dtype, periods, previous=before, after_block=rest)
 
 
 @st.cache_resource(show_spinner=False, max_entries=2 * len(METHODS))
 def _step_seconds(method: str, dtype: str) -> Timing:
-    with _ALONE:
+    with _MEASURING:
         return seconds_per_step(method, dtype)
 
 
 @st.cache_resource(show_spinner=False, max_entries=len(PERIODS))
 def closed(periods: int) -> ClosedForm:
     """Return error and time [s] of the closed form."""
-    with _ALONE:
+    with _MEASURING:
         return closed_form(Oscillator(), [periods])[0]
 
 
@@ -118,7 +118,7 @@ def forget_seconds() -> None:
 
 
 @st.cache_resource(show_spinner=_("Computing all powers of ten …"), max_entries=1)
-@giving_way()
+@responsive()
 def sweeps() -> tuple[list[Sweep], list[EigenSweep]]:
     """Return the forms of Ω² and the eigen-solvers over the range of floating point."""
     return extremes(), eigen_solvers()
@@ -141,14 +141,14 @@ class Choices:
     reduction: float
     curves: dict[str, dict[int, float]]
     arithmetics: dict[str | int, float]
-    kept: dict[str, float]
+    speedups: dict[str, float]
 
 
 @st.cache_resource(show_spinner=_("Measuring what the app itself uses …"), max_entries=1)
 def choices() -> Choices:
     """Measure the app's own methods, once for all visitors."""
     machine = Oscillator()
-    with _ALONE:
+    with _MEASURING:
         return Choices(
             closed_form(machine),
             seconds_per_reduction(machine),
@@ -167,10 +167,10 @@ def phases(machine: Oscillator) -> list[PhaseErrors]:
 @st.cache_resource(show_spinner=False, max_entries=64)
 def phases_figure(machine: Oscillator, colors: dict[str, str]) -> Drawn:
     """Return the figure of the phase errors in the given colours."""
-    found = phases(machine)
+    errors_by_periods = phases(machine)
     curves = {
-        _("Ω·<i>t</i> in float32"): [p.float32 for p in found],
-        _("Ω·<i>t</i> in float64"): [p.float64 for p in found],
-        _("whole turns subtracted first"): [p.reduced for p in found],
+        _("Ω·<i>t</i> in float32"): [p.float32 for p in errors_by_periods],
+        _("Ω·<i>t</i> in float64"): [p.float64 for p in errors_by_periods],
+        _("whole turns subtracted first"): [p.reduced for p in errors_by_periods],
     }
-    return figures.phase_errors([p.periods for p in found], curves, colors)
+    return figures.phase_errors([p.periods for p in errors_by_periods], curves, colors)

@@ -35,31 +35,33 @@ def draw() -> None:
     """Draw the challenge and its result."""
     projector = display_mode.is_projector()
     if projector:
-        introduce()
+        draw_question()
     words, picture = st.container(key="beside").columns(2 if projector else [4, 5], gap="small")
     with words:
         with st.container(key="posed"):
             if not projector:
-                introduce()
+                draw_question()
             st.markdown(TASK.text)
         with st.container(horizontal=True, vertical_alignment="bottom", gap="xsmall"):
             method = widgets.selectbox(METHOD, _("Method"), width="stretch")
             steps = widgets.count(STEPS, _("Steps per period"), width=190 if projector else "stretch")
         label = _("Run {periods} periods").format(periods=PERIODS)
-        st.button(label, key="run", type="primary", icon=":material/play_arrow:", on_click=_try, args=(method, steps))
-        st.markdown(verdicts.method_facts(METHODS[method], steps))
+        st.button(
+            label, key="run", type="primary", icon=":material/play_arrow:", on_click=_add_run, args=(method, steps)
+        )
+        st.markdown(verdicts.describe_method(METHODS[method], steps))
     with picture:
         with st.container(key="observed_race"):
-            machine()
+            draw_machine()
         if address.keep(TRIES):
             # The machine runs already while all methods are computed for the first time.
             cache.races()
-            tried, steps = _last()
+            tried, steps = _last_run()
             with st.container(key="race_result"):
-                tasks.verdict(TASK, Attempt(method=tried, steps=steps))
+                tasks.draw_verdict(TASK, Attempt(method=tried, steps=steps))
 
 
-def introduce() -> None:
+def draw_question() -> None:
     """Draw the question of the game."""
     st.title(_("Speed and accuracy"), anchor=False)
     st.markdown(
@@ -70,24 +72,24 @@ def introduce() -> None:
     )
 
 
-def machine() -> None:
+def draw_machine() -> None:
     """Draw the exact machine, and the last run as an outline over it."""
     computed = None
-    if address.held(TRIES):
-        computed = downsampling.played(cache.run(*_last(), PERIODS, "float64"))
+    if address.current(TRIES):
+        computed = downsampling.played(cache.run(*_last_run(), PERIODS, "float64"))
         computed |= {"run": st.session_state.get(_RUN, 0), "pace": _SHOWN_IN / PERIODS}
     payload = stage.payload(sidebar.oscillator(), sidebar.compression(), computed=computed)
     stages.mount(payload, key="stage_race", label=_("The exact motion"), clock="speed", compact=True, layers=())
 
 
-def diagram() -> None:
+def draw_diagram() -> None:
     """Draw the attempts among the results of all methods."""
     curves = {curve.method: curve for curve in cache.races()}
-    found = []
-    for method, steps in map(_read, address.held(TRIES)):
+    points = []
+    for method, steps in map(_read_run, address.current(TRIES)):
         curve = curves[method]
         at = int(np.argmax(curve.steps_per_period == steps))
-        found.append((int(curve.evaluations[at]), float(curve.error[at])))
+        points.append((int(curve.evaluations[at]), float(curve.error[at])))
     drawings.plot(
         figures.work_precision(
             {
@@ -96,8 +98,8 @@ def diagram() -> None:
             },
             titles=(_("evaluations of the force"), _("largest angle between both machines [turns]")),
             tolerance=WITHIN,
-            singled={_("your run"): (*found[-1], "diamond", 15, "ink")},
-            tried=found[:-1],
+            singled={_("your run"): (*points[-1], "diamond", 15, "ink")},
+            tried=points[:-1],
             colors=theme.colors(),
         ),
         "tries",
@@ -108,16 +110,16 @@ def diagram() -> None:
     )
 
 
-def _try(method: str, steps: int) -> None:
+def _add_run(method: str, steps: int) -> None:
     st.session_state[_RUN] = st.session_state.get(_RUN, 0) + 1
     this = f"{method}.{steps}"
-    st.session_state[TRIES.name] = (*(each for each in address.held(TRIES) if each != this), this)[-_MOST_TRIES:]
+    st.session_state[TRIES.name] = (*(each for each in address.current(TRIES) if each != this), this)[-_MOST_TRIES:]
 
 
-def _read(tried: str) -> tuple[str, int]:
+def _read_run(tried: str) -> tuple[str, int]:
     method, steps = tried.split(".")
     return method, int(steps)
 
 
-def _last() -> tuple[str, int]:
-    return _read(address.held(TRIES)[-1])
+def _last_run() -> tuple[str, int]:
+    return _read_run(address.current(TRIES)[-1])

@@ -20,43 +20,43 @@ TOLERANCE = address.Choice("tolerance", {f"1e-{n}": number(10.0**-n, 1) for n in
 _COST_TITLES = {"evaluations": _("evaluations of the force"), "seconds": _("seconds on this server")}
 
 
-_ASKED, _COMPLETE = "speed_asked", "speed_complete"
+_REQUESTED, _COMPLETE = "speed_asked", "speed_complete"
 """Session state: whether the visitor requested the diagram, and the number of periods for which it is complete."""
 _AT_ONCE = 0.2
 """Duration of work without a progress bar [s]."""
 
 
-def costs(periods: int) -> Callable[[], None]:
+def draw_costs(periods: int) -> Callable[[], None]:
     """Draw the fast part of the section; return the function that measures and draws the rest."""
     st.header(_("What accuracy costs on this server"), anchor=False)
-    asked = st.session_state.get(_ASKED, is_projector())  # A slide shows its diagram at once.
-    by, tolerance = costs_controls(asked)
-    if not asked:
-        what_is_measured()
+    requested = st.session_state.get(_REQUESTED, is_projector())  # A slide shows its diagram at once.
+    by, tolerance = draw_controls(requested)
+    if not requested:
+        explain_measurement()
         return lambda: None
     place = st.container()
 
     def rest() -> None:
         with place:
             measure(periods)
-            cost_diagram(periods, by, tolerance)
+            draw_diagram(periods, by, tolerance)
 
     return rest
 
 
-def costs_controls(asked: bool) -> tuple[str, float]:
+def draw_controls(requested: bool) -> tuple[str, float]:
     """Draw the button and the options; return the kind of cost and the tolerated error."""
     with st.container(horizontal=True, vertical_alignment="bottom"):
-        label = _("Measure again") if asked else _("Measure on this server")
-        st.button(label, key="measure", icon=":material/timer:", type="primary", on_click=_ask)
+        label = _("Measure again") if requested else _("Measure on this server")
+        st.button(label, key="measure", icon=":material/timer:", type="primary", on_click=_request)
         by = widgets.segmented_control(COST, _("Cost"))
         return by, float(widgets.select_slider(TOLERANCE, _("Error that you allow"), width=320))
 
 
-def _ask() -> None:
-    if st.session_state.get(_ASKED):
+def _request() -> None:
+    if st.session_state.get(_REQUESTED):
         cache.forget_seconds()
-    st.session_state[_ASKED] = True
+    st.session_state[_REQUESTED] = True
     st.session_state.pop(_COMPLETE, None)
 
 
@@ -75,7 +75,9 @@ def measure(periods: int) -> None:
         if bar is None and time.monotonic() - start > _AT_ONCE:
             with place.container(horizontal=True, vertical_alignment="bottom"):
                 bar = st.empty()
-                st.button(_("Stop"), key="stop_measuring", on_click=st.session_state.update, args=({_ASKED: False},))
+                st.button(
+                    _("Stop"), key="stop_measuring", on_click=st.session_state.update, args=({_REQUESTED: False},)
+                )
         if bar is not None:
             bar.progress(done / len(parts), title.format(n=periods))
         part()
@@ -83,11 +85,11 @@ def measure(periods: int) -> None:
     st.session_state[_COMPLETE] = periods
 
 
-def cost_diagram(periods: int, by: str, tolerance: float) -> None:
+def draw_diagram(periods: int, by: str, tolerance: float) -> None:
     """Draw the work-precision diagram, the cheapest run, and the methods of measurement."""
     curves, closed = cache.diagram(periods), cache.closed(periods)
     ranked = cheapest(curves, tolerance, by)
-    sentence = verdicts.what_to_take(ranked, tolerance, by, closed)
+    sentence = verdicts.recommend_run(ranked, tolerance, by, closed)
     figure, words = picture_and_words() if is_projector() else reversed(columns("costs"))
     with words:
         st.markdown(sentence)
@@ -101,17 +103,17 @@ def cost_diagram(periods: int, by: str, tolerance: float) -> None:
         singled=singled,
         colors=theme.colors(),
     )
-    sees = _("Work–precision diagram: the error of each method falls as its cost rises. {finding}")
+    alternative = _("Work–precision diagram: the error of each method falls as its cost rises. {finding}")
     with figure:
-        drawings.plot(drawn, "work_precision", sees.format(finding=sentence.replace("**", "")))
+        drawings.plot(drawn, "work_precision", alternative.format(finding=sentence.replace("**", "")))
     spread = float(np.median([curve.spread for curve in curves]))
     with words:
-        if steeper := verdicts.order_and_slope(curves, cache.run):
+        if steeper := verdicts.explain_slope(curves, cache.run):
             st.markdown(steeper)
     if is_projector():
         return
     with words:
-        st.caption(_how_measured(periods, spread))
+        st.caption(_describe_measurement(periods, spread))
     with st.expander(_("The cheapest run of each method")):
         if ranked:
             widgets.table(verdicts.choice_table(ranked), "cheapest")
@@ -119,7 +121,7 @@ def cost_diagram(periods: int, by: str, tolerance: float) -> None:
             st.markdown(_("No run has an error that small."))
 
 
-def _how_measured(periods: int, spread: float) -> str:
+def _describe_measurement(periods: int, spread: float) -> str:
     points = ngettext(
         "Each point is the largest error in one period.",
         "Each point is the largest error in {n:word} periods.",
@@ -133,7 +135,7 @@ def _how_measured(periods: int, spread: float) -> str:
     return f"{filled(points, n=periods)} {times}"
 
 
-def what_is_measured() -> None:
+def explain_measurement() -> None:
     """Explain the measurement that the button starts."""
     sentence = _(
         "Press the button: this server then runs {methods:word} methods in {precisions:word} precisions with {least} "

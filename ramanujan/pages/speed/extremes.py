@@ -60,7 +60,7 @@ _CHOICES = (
 """The app's own methods with their uses and reasons."""
 
 
-def forms_at_extremes() -> list[Sweep]:
+def draw_forms() -> list[Sweep]:
     """Draw the forms of Ω² over the range of floating point; return the selected sweep."""
     st.header(filled(_("Extreme values: {count:word} ways to write Ω²"), count=len(FORMS)), anchor=False)
     words, figure = columns("forms")
@@ -78,11 +78,11 @@ def forms_at_extremes() -> list[Sweep]:
         name = widgets.segmented_control(SWEEP, _("What is varied, and the precision"), label_visibility="collapsed")
         along, _between, dtype = name.partition("_")
         shown = [s for s in swept if (s.along, s.dtype) == (along, dtype)]
-        sees = _("What {count:word} forms of Ω² return, from the least value to the greatest. {findings}.")
-        findings = "; ".join(map(verdicts.in_words, shown))
+        alternative = _("What {count:word} forms of Ω² return, from the least value to the greatest. {findings}.")
+        findings = "; ".join(map(verdicts.describe_strip, shown))
         strips = {FORMS[each.form].title: verdicts.strip(each) for each in shown}
         drawn = figures.forms(strips, quantity=cache.ALONG[along][1], colors=theme.colors())
-        drawings.plot(drawn, "forms", filled(sees, count=len(FORMS), findings=findings))
+        drawings.plot(drawn, "forms", filled(alternative, count=len(FORMS), findings=findings))
     with words:
         sentence = _(
             "A strip for each form: where it is right, and what it returns where it fails. A wrong value may look "
@@ -92,27 +92,27 @@ def forms_at_extremes() -> list[Sweep]:
     return shown
 
 
-def where_forms_fail(shown: Sequence[Sweep]) -> None:
+def list_failures(shown: Sequence[Sweep]) -> None:
     """Name the failures of each form, and explain the forms."""
     widgets.table(verdicts.failure_table(shown, cache.ALONG[shown[0].along][0]), "forms")
     item = _("- **{name}**: Ω² = {formula}")
     st.markdown("\n".join(item.format(name=form.title, formula=unbroken(form.formula)) for form in FORMS.values()))
 
 
-def many_periods(machine: Oscillator) -> None:
+def draw_phase_errors(machine: Oscillator) -> None:
     """Draw the phase error after very many periods."""
     st.header(_("Extreme times: very many periods"), anchor=False)
-    sentence = verdicts.how_phases_grow(cache.phases(machine))
+    sentence = verdicts.describe_phases(cache.phases(machine))
     words, figure = columns("periods")
-    sees = _("Phase error over the number of periods. {findings}")
+    alternative = _("Phase error over the number of periods. {findings}")
     with figure:
         drawn = cache.phases_figure(machine, theme.colors())
-        drawings.plot(drawn, "phase_errors", sees.format(findings=sentence.replace("**", "")))
+        drawings.plot(drawn, "phase_errors", alternative.format(findings=sentence.replace("**", "")))
     with words:
         st.markdown(sentence)
 
 
-def general_solver() -> None:
+def compare_solvers() -> None:
     """List the zero modes that general eigen-solvers find, with an explanation."""
     _forms, sweeps = cache.sweeps()
     st.markdown(
@@ -122,33 +122,33 @@ def general_solver() -> None:
             "freely."
         )
     )
-    st.markdown(verdicts.zero_modes(sweeps))
+    st.markdown(verdicts.describe_zero_modes(sweeps))
     widgets.table(verdicts.zero_mode_table(sweeps), "zero_modes")
 
 
-def what_the_app_uses() -> None:
+def list_choices() -> None:
     """List the app's own methods with their uses, reasons and measurements."""
-    found = cache.choices()
+    choices = cache.choices()
     drawn = {each.form: each for each in cache.sweeps()[0] if (each.along, each.dtype) == ("machines", "float64")}
     own = drawn["effective_mass"]
-    enough = {name: _fewest_points(distances) for name, distances in found.curves.items()}
+    enough = {name: _fewest_points(distances) for name, distances in choices.curves.items()}
     rounding = float(np.finfo(np.float32).eps) / 2
     text = filled(
         "\n".join(f"- {sentence}" for sentence in _CHOICES),
-        first=found.states[0].periods,
-        last=found.states[-1].periods,
-        phase_error=max(each.phase_error for each in found.states),
-        state=duration(float(np.median([each.seconds.median for each in found.states]))),
+        first=choices.states[0].periods,
+        last=choices.states[-1].periods,
+        phase_error=max(each.phase_error for each in choices.states),
+        state=duration(float(np.median([each.seconds.median for each in choices.states]))),
         reduced_error=max(each.reduced for each in cache.phases(Oscillator())),
-        reduced=duration(found.reduction),
+        reduced=duration(choices.reduction),
         formula=unbroken(FORMS[own.form].formula),
         machines=own.x.size,
         error=own.worst_right_ulp,
         integers_error=drawn["integers"].worst_right_ulp,
-        **{kind: duration(seconds) for kind, seconds in found.arithmetics.items() if isinstance(kind, str)},
-        few=duration(found.arithmetics[DIGITS[0]]),
+        **{kind: duration(seconds) for kind, seconds in choices.arithmetics.items() if isinstance(kind, str)},
+        few=duration(choices.arithmetics[DIGITS[0]]),
         few_digits=DIGITS[0],
-        many=duration(found.arithmetics[DIGITS[-1]]),
+        many=duration(choices.arithmetics[DIGITS[-1]]),
         many_digits=DIGITS[-1],
         height=HEIGHT,
         **{name: n for name, (n, _off) in enough.items()},
@@ -156,7 +156,7 @@ def what_the_app_uses() -> None:
         part=1 / rounding,
         finer=0.5 / SCREEN_HEIGHT / rounding,
         screen=SCREEN_HEIGHT,
-        **{f"kept_{name}": ratio for name, ratio in found.kept.items()},
+        **{f"kept_{name}": ratio for name, ratio in choices.speedups.items()},
         n=STATES,
     )
     st.markdown(text)

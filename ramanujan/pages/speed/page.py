@@ -11,7 +11,7 @@ from ramanujan.integrators import METHODS
 from ramanujan.numerals import filled
 from ramanujan.pages.speed import cache, challenge, extremes, verdicts
 from ramanujan.pages.speed.challenge import METHOD, STEPS, TRIES
-from ramanujan.pages.speed.costs import COST, TOLERANCE, costs
+from ramanujan.pages.speed.costs import COST, TOLERANCE, draw_costs
 from ramanujan.pages.speed.downsampling import Run
 from ramanujan.pages.speed.extremes import SWEEP
 from ramanujan.shell import address, display_mode, drawings, sidebar, theme, widgets
@@ -22,36 +22,36 @@ COMPARED = address.Choice("compare", {"own": _("your method"), "all": _("all met
 PERIODS = address.Choice("periods", cache.PERIODS, 30)
 PRECISION = address.Choice("precision", ("float64", "float32"), "float64")
 URL_PARAMETERS = (METHOD, STEPS, TRIES, COMPARED, PERIODS, PRECISION, COST, TOLERANCE, SWEEP)
-ASIDE = ("compression",)
+FOLDED_PARAMETERS = ("compression",)
 
 
 def show() -> None:
     """Draw the page, then take its experiments."""
     with slide("motion", _("Exact and computed")), st.container(key="race"):
         challenge.draw()
-        if address.held(TRIES) and not display_mode.is_projector():
-            challenge.diagram()
-    if address.held(TRIES) and display_mode.is_projector():
+        if address.current(TRIES) and not display_mode.is_projector():
+            challenge.draw_diagram()
+    if address.current(TRIES) and display_mode.is_projector():
         with slide("tries", _("What was tried")):
-            challenge.diagram()
+            challenge.draw_diagram()
     with slide("errors", _("How the errors grow")):
-        periods = growing_errors(address.held(METHOD), address.held(STEPS))
+        periods = draw_error_growth(address.current(METHOD), address.current(STEPS))
     with slide("costs", _("What accuracy costs")):
-        costs_on_this_server = costs(periods)
+        costs_on_this_server = draw_costs(periods)
     with slide("forms", _("Extreme values")):
-        forms = extremes.forms_at_extremes()
+        forms = extremes.draw_forms()
     if not display_mode.is_projector():
         with st.expander(_("Where each form fails, and the formulas")):
-            extremes.where_forms_fail(forms)
+            extremes.list_failures(forms)
     with slide("periods", _("Very many periods")):
-        extremes.many_periods(sidebar.oscillator())
-    folded("solver", _("A general eigen-solver, which does not know this machine"), extremes.general_solver)
-    folded("choices", _("What this app uses, and why"), extremes.what_the_app_uses)
+        extremes.draw_phase_errors(sidebar.oscillator())
+    folded("solver", _("A general eigen-solver, which does not know this machine"), extremes.compare_solvers)
+    folded("choices", _("What this app uses, and why"), extremes.list_choices)
     # Long computations follow after all other elements are drawn.
     costs_on_this_server()
 
 
-def growing_errors(method: str, steps: int) -> int:
+def draw_error_growth(method: str, steps: int) -> int:
     """Draw how the errors of one method and the closed form, or of all methods, grow; return the number of periods."""
     st.header(_("How the errors grow"), anchor=False)
     words, place = columns("errors")
@@ -70,14 +70,14 @@ def growing_errors(method: str, steps: int) -> int:
     curves = {METHODS[each.method].title: (each.reach, each.energy, each.phase) for each in runs}
     titles = [each.title for each in METHODS.values()]
     figure = figures.error_growth(curves, METHODS[method].title, (exact[:, 0], exact[:, 1]), titles, theme.colors())
-    sees = _(
+    alternative = _(
         "Energy error and phase error over the number of periods. The phase errors of the methods grow with time. That "
         "of the closed form grows too, but it stays near the rounding error. {errors}"
     )
     with place:
-        drawings.plot(figure, "growth", sees.format(errors=" ".join(map(_found, runs))))
+        drawings.plot(figure, "growth", alternative.format(errors=" ".join(map(_describe_error, runs))))
     with words:
-        st.markdown(verdicts.errors_of(run))
+        st.markdown(verdicts.describe_errors(run))
         # A slide of the projector view has room for the figure and its result.
         if not display_mode.is_projector():
             st.caption(
@@ -91,7 +91,7 @@ def growing_errors(method: str, steps: int) -> int:
     return periods
 
 
-def _found(run: Run) -> str:
+def _describe_error(run: Run) -> str:
     """State the error of a run at its end."""
     worst = float(np.max(run.energy))
     if not (math.isfinite(run.phase_at_end) and math.isfinite(worst)):

@@ -17,7 +17,7 @@ from ramanujan.numerals import at_least, distinct_from, duration, filled, number
 from ramanujan.pages.speed.downsampling import Run
 from ramanujan.translation import _, ngettext
 
-_SEEN = 0.05
+_VISIBLE = 0.05
 """Phase error [rad] that is visible between two machines side by side: about a hundredth of a full turn."""
 _ROUNDING, _SMALL, _STEEPER = 1e-12, 0.5, 0.3
 """Errors between which a curve has a slope, and the smallest excess over the order that gets a sentence."""
@@ -25,7 +25,7 @@ _ROUNDING, _SMALL, _STEEPER = 1e-12, 0.5, 0.3
 Table = list[tuple[str, ...]]
 
 
-def method_facts(method: Method, steps: int) -> str:
+def describe_method(method: Method, steps: int) -> str:
     """Return the order of a method, its cost, and whether these steps are stable."""
     turn, limit = 2 * math.pi / steps, method.stability_limit
     cost = ngettext(
@@ -49,7 +49,7 @@ def method_facts(method: Method, steps: int) -> str:
     return f"{cost} {stable.format(**turn_and_limit)}"
 
 
-def errors_of(run: Run) -> str:
+def describe_errors(run: Run) -> str:
     """Name a run, and state its error at the end and whether it is visible."""
     worst = float(np.max(run.energy))
     sentence = ngettext(
@@ -85,18 +85,18 @@ def errors_of(run: Run) -> str:
         energy = filled(_("Its energy was off by up to **{share:2↑ %}**."), share=worst)
     else:
         energy = filled(_("Its relative energy error was at most **{error:2↑}**."), error=worst)
-    seen = abs(run.phase_at_end) > _SEEN or worst > _SEEN
+    seen = abs(run.phase_at_end) > _VISIBLE or worst > _VISIBLE
     verdict = _("The difference is visible.") if seen else _("The difference is too small to see.")
     return f"{evaluated} {phase} {energy} {verdict}"
 
 
-def what_to_take(choices: Sequence[Choice], tolerance: float, by: str, exact: ClosedForm | None) -> str:
+def recommend_run(choices: Sequence[Choice], tolerance: float, by: str, exact: ClosedForm | None) -> str:
     """Name the cheapest run within the tolerance, its cost, and the cost of the closed form."""
-    said = [_cheapest(choices[0], tolerance, by) if choices else _none_reaches(tolerance)]
+    sentences = [_cheapest(choices[0], tolerance, by) if choices else _none_reaches(tolerance)]
     if exact is not None:
         sentence = _("The closed form takes {time} for the last state, and its phase error is {error}\u202frad.")
-        said.append(sentence.format(time=duration(exact.seconds.median), error=number(exact.phase_error)))
-    return " ".join(said)
+        sentences.append(sentence.format(time=duration(exact.seconds.median), error=number(exact.phase_error)))
+    return " ".join(sentences)
 
 
 def _cheapest(best: Choice, tolerance: float, by: str) -> str:
@@ -127,9 +127,9 @@ def _none_reaches(tolerance: float) -> str:
     return filled(sentence, methods=len(METHODS), tolerance=number(tolerance, 1), most=STEPS_PER_PERIOD[-1])
 
 
-def order_and_slope(curves: Sequence[WorkPrecision], run: Callable[[str, int, int, str], Run]) -> str:
+def explain_slope(curves: Sequence[WorkPrecision], run: Callable[[str, int, int, str], Run]) -> str:
     """State by how much each error falls faster than the method's order, and how the phase error falls."""
-    fine, said = STEPS_PER_PERIOD[-1], []
+    fine, sentences = STEPS_PER_PERIOD[-1], []
     for curve in (curve for curve in curves if curve.dtype == "float64"):
         method, n = METHODS[curve.method], curve.steps_per_period
         coarse_error, fine_error = curve.error[n == fine // 2].item(), curve.error[n == fine].item()
@@ -145,8 +145,8 @@ def order_and_slope(curves: Sequence[WorkPrecision], run: Callable[[str, int, in
             )
             factors = {"expected": 2**method.order, "factor": coarse_error / fine_error, "phase": coarse / end}
             shown = {name: number(factor, 2) for name, factor in factors.items()}
-            said.append(sentence.format(method=method.title, order=method.order, **shown))
-    return " ".join(said)
+            sentences.append(sentence.format(method=method.title, order=method.order, **shown))
+    return " ".join(sentences)
 
 
 def choice_table(choices: Iterable[Choice]) -> Table:
@@ -162,20 +162,24 @@ def failure_table(sweeps: Sequence[Sweep], symbol: str) -> Table:
     """List where and how each form fails; `symbol` is that of the variable of the sweep."""
     rows: Table = [(_("Form"), _("Where it fails"), _("What it returns there"))]
     for sweep in sweeps:
-        failures = [(_place(each, symbol), _word(sweep, each)) for each in sweep.stretches if each.verdict != RIGHT]
-        sound = _("nowhere"), _word(sweep, sweep.stretches[0])
+        failures = [
+            (_describe_place(each, symbol), _describe_value(sweep, each))
+            for each in sweep.stretches
+            if each.verdict != RIGHT
+        ]
+        sound = _("nowhere"), _describe_value(sweep, sweep.stretches[0])
         rows += [(FORMS[sweep.form].title, *cells) for cells in failures or [sound]]
     return rows
 
 
-def _place(stretch: Stretch, symbol: str) -> str:
+def _describe_place(stretch: Stretch, symbol: str) -> str:
     place = _("{symbol} = {first}") if stretch.first == stretch.last else _("{symbol} from {first} to {last}")
     return place.format(symbol=symbol, first=number(float(stretch.first)), last=number(float(stretch.last)))
 
 
-def in_words(sweep: Sweep) -> str:
+def describe_strip(sweep: Sweep) -> str:
     """Return the strip of a form in words, from left to right."""
-    words = ", ".join(_word(sweep, each) for each in sweep.stretches)
+    words = ", ".join(_describe_value(sweep, each) for each in sweep.stretches)
     return _("{form}: {words}").format(form=FORMS[sweep.form].title, words=words)
 
 
@@ -184,7 +188,7 @@ def strip(sweep: Sweep) -> list[Part]:
     stretches = sweep.stretches
     ends = [*(each.first for each in stretches[1:]), stretches[-1].last]
     return [
-        Part(math.log10(each.first), math.log10(end), each.verdict == RIGHT, _word(sweep, each))
+        Part(math.log10(each.first), math.log10(end), each.verdict == RIGHT, _describe_value(sweep, each))
         for each, end in zip(stretches, ends, strict=True)
     ]
 
@@ -200,7 +204,7 @@ _RETURNS = {
 """Verdict → description of the returned value."""
 
 
-def _word(sweep: Sweep, stretch: Stretch) -> str:
+def _describe_value(sweep: Sweep, stretch: Stretch) -> str:
     """Return the value of a form in a stretch. −0 differs from 0, and wrong values are represented by their median."""
     inside = sweep.value[(sweep.x >= stretch.first) & (sweep.x <= stretch.last)]
     if stretch.verdict == ZERO and np.signbit(inside).all():
@@ -209,9 +213,9 @@ def _word(sweep: Sweep, stretch: Stretch) -> str:
     return _RETURNS[stretch.verdict].format(value=usual, error=number(sweep.worst_right_ulp))
 
 
-def how_phases_grow(errors: Sequence[PhaseErrors]) -> str:
+def describe_phases(errors: Sequence[PhaseErrors]) -> str:
     """State when each computation of the phase has lost it, and the largest error of the reduced phase."""
-    said = [
+    sentences = [
         _(
             "In float32 the error of the plain product Ω·t reaches 1\u202frad between {before} and {after} periods. "
             "From there on the phase is meaningless and the curve is flat."
@@ -223,34 +227,34 @@ def how_phases_grow(errors: Sequence[PhaseErrors]) -> str:
         "In float64 the error is {last.float64:2 rad} after {last.periods:2} periods. If Ω/2π is stored in two "
         "floating-point numbers and whole turns are subtracted first, the error never exceeds **{largest:2↑ rad}**."
     )
-    said.append(filled(reduced, last=errors[-1], largest=max(each.reduced for each in errors)))
-    return " ".join(said)
+    sentences.append(filled(reduced, last=errors[-1], largest=max(each.reduced for each in errors)))
+    return " ".join(sentences)
 
 
-def zero_modes(sweeps: Sequence[EigenSweep]) -> str:
+def describe_zero_modes(sweeps: Sequence[EigenSweep]) -> str:
     """Name the solvers that find both zero modes exactly, and state how often the others return no frequency."""
-    said = [
+    sentences = [
         _("**{solver}** returns a negative or complex eigenvalue for a zero mode in {count} of {all} machines.").format(
             solver=SOLVERS[s.solver].title, count=int(s.without_frequency.sum()), all=s.error_ulp.size
         )
         for s in sweeps
         if s.dtype == "float64" and s.without_frequency.any()
     ]
-    if said:
-        said.append(
+    if sentences:
+        sentences.append(
             _(
                 "The square root of such a value is not a real number, so a program that computes with real numbers "
                 "gets NaN."
             )
         )
-    said += [
+    sentences += [
         _("**{solver}** returns exactly 0 for both zero modes, because only one entry of K is not zero.").format(
             solver=SOLVERS[s.solver].title
         )
         for s in sweeps
         if s.dtype == "float64" and np.all(s.zero_modes == 0)
     ]
-    return " ".join(said)
+    return " ".join(sentences)
 
 
 def zero_mode_table(sweeps: Sequence[EigenSweep]) -> Table:

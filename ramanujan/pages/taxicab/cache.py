@@ -18,7 +18,7 @@ from ramanujan.derivation.model import epsilon, equation
 from ramanujan.derivation.numbers import unit_frequency_condition, with_decimal
 from ramanujan.derivation.printers import latex
 from ramanujan.number_theory import BodyChoice
-from ramanujan.shell.cache import giving_way, route
+from ramanujan.shell.cache import responsive, route
 
 LARGEST_PART = 1000
 """The largest p and q. Every discriminant in this range can be factored."""
@@ -182,7 +182,7 @@ class Tally:
 
 
 @st.cache_resource(show_spinner=False)
-@giving_way()
+@responsive()
 def tally(left: str, right: str) -> Tally:
     """Return the count for all targets p/q, p and q up to COUNTED_PART, that every top body can reach."""
     limit = min(number_theory.normalized_frequency_squared_exact(left, right, top, 0) for top in number_theory.BODIES)

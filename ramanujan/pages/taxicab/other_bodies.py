@@ -24,7 +24,7 @@ FOLLOWERS = ("bodies_machine", "bodies_numbers")
 """Keys of the fragments that depend on the machine of the sidebar."""
 
 
-def other_bodies() -> None:
+def draw_other_bodies() -> None:
     """Draw options, stage, numbers and the table of all machines."""
     with slide("bodies", _("Other bodies")):
         st.header(_("Other bodies, other numbers"), anchor=False)
@@ -35,34 +35,34 @@ def other_bodies() -> None:
                 "$\\beta$."
             )
         )
-        choose()
-        chosen = [address.held(key) for key in URL_PARAMETERS]
+        draw_options()
+        chosen = [address.current(key) for key in URL_PARAMETERS]
         story = cache.story(*chosen)
         # In the projector view the options need the height of the clocks.
         stages.mount(None, key=STAGE, layers=(), dials=not display_mode.is_projector())
-        tell_machine(chosen)
+        publish_machine(chosen)
     with slide("forty", _("All machines")):
         table, words = st.columns([1, 1], gap="medium")
         with words:
-            about_bodies(story)
+            describe_machine(story)
         with table:
-            forty_machines(story.machine)
+            draw_all_machines(story.machine)
 
 
-def choose() -> None:
+def draw_options() -> None:
     """Draw the options in the arrangement of the machine: the top body is above, to the right."""
     pictures, above = st.columns(2, vertical_alignment="center")
-    pictures.html(legend(theme.colors()["block"]))
+    pictures.html(bodies_html(theme.colors()["block"]))
     for column, key in zip((*st.columns(2), above), URL_PARAMETERS, strict=True):
         with column:
             widgets.segmented_control(key, PLACE_WORDS[key.name])
 
 
 @st.fragment(key="bodies_machine")
-def tell_machine(chosen: list[str]) -> None:
+def publish_machine(chosen: list[str]) -> None:
     """Publish the machine to the stage and the boxes of the sliders. A slider reruns only this fragment."""
     left, right, top = (float(BODIES[body]) for body in chosen)
-    stages.tell(
+    stages.publish(
         stage.payload(
             sidebar.oscillator(), sidebar.compression(), shape_factors={"hoop": left, "cylinder": right, "top": top}
         ),
@@ -71,24 +71,24 @@ def tell_machine(chosen: list[str]) -> None:
     )
 
 
-def about_bodies(story: cache.Story) -> None:
+def describe_machine(story: cache.Story) -> None:
     """Describe the machine with the chosen bodies."""
     machine = story.machine
-    st.markdown(f"**{name(machine)}**")
+    st.markdown(f"**{machine_name(machine)}**")
     st.latex(story.quadratic)
     st.latex(rf"\varepsilon = {story.root}")
     st.latex(story.square)
-    st.markdown(about_cubes(story))
-    with_your_masses(machine)
+    st.markdown(describe_cubes(story))
+    describe_current_masses(machine)
     with st.expander(_("The discriminant of the number field")):
-        st.markdown(_about_field(machine))
+        st.markdown(_describe_field(machine))
     with st.container(horizontal=True):
         st.button(_("Set this mass ratio"), key="own_ratio", on_click=sidebar.take_ratio, args=(story.ratio,))
         st.button(_("Back to the paper’s bodies"), key="paper_bodies", on_click=st.session_state.update, args=(PAPER,))
 
 
 @st.fragment(key="bodies_numbers")
-def with_your_masses(machine: BodyChoice) -> None:
+def describe_current_masses(machine: BodyChoice) -> None:
     """State the frequency of the machine with these bodies and the masses of the sidebar."""
     if display_mode.hides("numbers"):
         return
@@ -103,7 +103,7 @@ def with_your_masses(machine: BodyChoice) -> None:
     )
 
 
-def about_cubes(story: cache.Story) -> str:
+def describe_cubes(story: cache.Story) -> str:
     """Factor a discriminant, and state whether it is a sum of two cubes."""
     ways = len(story.machine.cubes)
     sentence = (
@@ -120,7 +120,7 @@ def about_cubes(story: cache.Story) -> str:
     return filled(sentence, number=f"**{discriminant}**{factors}", cubes=story.cubes, n=ways)
 
 
-def _about_field(machine: BodyChoice) -> str:
+def _describe_field(machine: BodyChoice) -> str:
     sentence = (
         _(
             "The field $\\mathbb{{Q}}(\\varepsilon)$ has the same discriminant. This number does not change if "
@@ -135,7 +135,7 @@ def _about_field(machine: BodyChoice) -> str:
     return sentence.format(field=machine.field_discriminant)
 
 
-def forty_machines(chosen: BodyChoice) -> None:
+def draw_all_machines(chosen: BodyChoice) -> None:
     """Draw all machines in one figure."""
     machines, columns = cache.machines(), list(BODIES)
     pairs = [machine.bodies[:2] for machine in machines[:: len(columns)]]
@@ -146,7 +146,7 @@ def forty_machines(chosen: BodyChoice) -> None:
     facts = {"count": len(machines), "best": best.discriminant, "one": one, "other": other}
     drawings.plot(
         figures.machine_grid(
-            [pair(*names) for names in pairs],
+            [pair_name(*names) for names in pairs],
             [WORDS[body] for body in columns],
             [machine.discriminant for machine in machines],
             [len(machine.cubes) for machine in machines],
@@ -158,9 +158,9 @@ def forty_machines(chosen: BodyChoice) -> None:
             "The discriminants of all {count} machines, ten pairs of lower rollers, each with four bodies on top. "
             "Only {best} is a sum of two positive cubes in two ways; {one} and {other} are such a sum in one way. "
             "Marked: {chosen} ({name})."
-        ).format(**facts, chosen=chosen.discriminant, name=name(chosen)),
+        ).format(**facts, chosen=chosen.discriminant, name=machine_name(chosen)),
     )
-    components.pick("machines", take_clicked)
+    components.pick("machines", select_clicked_machine)
     sentence = _(
         "The discriminants of all {count} machines, for Ω² = k/m. Highlighted: a sum of two positive cubes, {best} in "
         "two ways, {one} and {other} in one."
@@ -170,36 +170,36 @@ def forty_machines(chosen: BodyChoice) -> None:
         st.caption(_("Click on a machine to build it."))
 
 
-def take_clicked(point: dict[str, float]) -> None:
+def select_clicked_machine(point: dict[str, float]) -> None:
     """Choose the bodies of the clicked machine."""
     for machine in cache.machines()[len(BODIES) * int(point["y"]) + int(point["x"]) :][:1]:
         st.session_state.update(zip(PAPER, machine.bodies, strict=True))
 
 
-def name(machine: BodyChoice) -> str:
+def machine_name(machine: BodyChoice) -> str:
     """Return the names of the bodies."""
     return _("Lower rollers: {left} and {right}; on\u00a0top: {top}").format(
         **{place: WORDS[body] for place, body in zip(PAPER, machine.bodies, strict=True)}
     )
 
 
-def pair(left: str, right: str) -> str:
+def pair_name(left: str, right: str) -> str:
     """Return the names of a pair of lower rollers."""
     return _("{left} + {right}").format(left=WORDS[left], right=WORDS[right])
 
 
-def legend(color: str) -> str:
+def bodies_html(color: str) -> str:
     """Return all bodies with their names and shape factors β, as HTML."""
     figures = [
         f'<figure style="margin:0;min-width:98px;display:flex;gap:.4rem;align-items:center"><img width="38" height="38"'
-        f' alt="" src="{_address(body, color)}"><figcaption>{WORDS[body]}<br>β = {beta}</figcaption></figure>'
+        f' alt="" src="{_drawing_url(body, color)}"><figcaption>{WORDS[body]}<br>β = {beta}</figcaption></figure>'
         for body, beta in BODIES.items()
     ]
     row = "<div style='display:flex;flex-wrap:wrap;gap:.6rem 1rem'>{}</div>"  # Draw four in a row, or two rows of two.
     return row.format(row.format("".join(figures[:2])) + row.format("".join(figures[2:])))
 
 
-def _address(body: str, color: str) -> str:
+def _drawing_url(body: str, color: str) -> str:
     """Return the drawing of a body as a data URL."""
     ink = f'stroke="{color}" fill="none"'
     drawings = {

@@ -11,7 +11,7 @@ from ramanujan.number_theory import BODIES
 from ramanujan.numerals import filled, number
 from ramanujan.pages.taxicab import cache
 from ramanujan.pages.taxicab.cache import PAPER
-from ramanujan.pages.taxicab.other_bodies import about_cubes, pair
+from ramanujan.pages.taxicab.other_bodies import describe_cubes, pair_name
 from ramanujan.shell import address, display_mode, drawings, sidebar, theme, widgets
 from ramanujan.shell.display_mode import columns, slide
 from ramanujan.translation import _, ngettext
@@ -23,14 +23,14 @@ FOLLOWERS = ("unit_curve",)
 """Keys of the fragments that depend on the machine of the sidebar."""
 
 
-def another_target() -> None:
+def draw_other_target() -> None:
     """Draw the options for another target of the paper's machine, and describe the result."""
-    asked = address.held(P), address.held(Q)
-    with st.expander(_("Another frequency, another number: choose $\\Omega^2m/k=p/q$"), expanded=asked != (1, 1)):
+    wanted = address.current(P), address.current(Q)
+    with st.expander(_("Another frequency, another number: choose $\\Omega^2m/k=p/q$"), expanded=wanted != (1, 1)):
         with st.container(horizontal=True):
             p = widgets.count(P, _("p"), width=130)
             q = widgets.count(Q, _("q"), width=130)
-        story = _reached()
+        story = _current_story()
         target = story.machine.target
         if target != Fraction(p, q):
             most = number_theory.normalized_frequency_squared_exact(*PAPER.bodies, 0)
@@ -39,13 +39,13 @@ def another_target() -> None:
                 "{old_p}/{old_q} is shown."
             )
             st.warning(sentence.format(most=most, p=p, q=q, old_p=target.numerator, old_q=target.denominator))
-        about_target(story)
+        describe_target(story)
 
 
-def _reached() -> cache.Story:
+def _current_story() -> cache.Story:
     """Return the story of the chosen target. If no machine reaches it, return that of the previous target."""
     try:
-        story = cache.story(*PAPER.bodies, address.held(P), address.held(Q))
+        story = cache.story(*PAPER.bodies, address.current(P), address.current(Q))
     except ValueError:
         return cache.story(*PAPER.bodies, *st.session_state.get(_LAST, (1, 1)))
     target = story.machine.target
@@ -53,24 +53,24 @@ def _reached() -> cache.Story:
     return story
 
 
-def about_target(story: cache.Story) -> None:
+def describe_target(story: cache.Story) -> None:
     """Describe the results for the target."""
     target, discriminant = story.machine.target, story.machine.discriminant
     st.latex(story.quadratic)
     st.latex(rf"\varepsilon = {story.root}")
-    said = [about_cubes(story)]
+    sentences = [describe_cubes(story)]
     if isqrt(discriminant) ** 2 == discriminant:
-        said.append(_("The discriminant is a square, so this $\\varepsilon$ is a fraction."))
-    st.markdown(" ".join(said))
+        sentences.append(_("The discriminant is a square, so this $\\varepsilon$ is a fraction."))
+    st.markdown(" ".join(sentences))
     st.latex(cache.as_norm(target.numerator, target.denominator))
 
 
 @st.fragment(key="unit_curve")
-def the_curve() -> None:
+def draw_curve() -> None:
     """Draw the paper's curve, the target on it, and the current machine, unless the link hides them."""
     if display_mode.hides("curve", "numbers"):
         return
-    story, machine = _reached(), sidebar.oscillator()
+    story, machine = _current_story(), sidebar.oscillator()
     target = story.machine.target
     present = machine.mass_ratio, machine.normalized_frequency_squared
     level, ratio = f"Ω²m/k = {target}", number(story.ratio, 10)
@@ -83,17 +83,17 @@ def the_curve() -> None:
         present=present,
         colors=theme.colors(),
     )
-    sees = _(
+    alternative = _(
         "Ω²m/k of the paper’s machine falls as ε grows, so one mass ratio reaches the target {target}: ε = {root}. "
         "With your masses, ε = {present[0]:4}, it is {present[1]:7}."
     )
-    drawings.plot(figure, "unit_curve", filled(sees, target=target, root=ratio, present=present))
+    drawings.plot(figure, "unit_curve", filled(alternative, target=target, root=ratio, present=present))
 
 
 # ---- the open question
 
 
-def open_question() -> None:
+def draw_open_question() -> None:
     """Draw the open question: explained facts, measured facts, and remaining coincidences."""
     with slide("reason", _("Is there a reason?")):
         st.header(_("Is there a reason?"), anchor=False)
@@ -107,14 +107,14 @@ def open_question() -> None:
         with known:
             st.markdown(sentence.format(number=PAPER.discriminant))
         with reason:
-            where_the_form_comes_from()
-        what_it_means()
+            explain_form()
+        explain_norm()
     with slide("norm", _("{number} as a norm").format(number=PAPER.discriminant)):
-        the_number_as_a_norm()
+        describe_norm()
     pairs = [machine.bodies[:2] for machine in cache.machines()[:: len(BODIES)]]
     paper = pairs.index(PAPER.bodies[:2])
     with slide("counts", _("A count")):
-        tallies = _counted(pairs)
+        tallies = _count_cubes(pairs)
         projector = display_mode.is_projector()
         figure, words = display_mode.picture_and_words() if projector else reversed(columns("counts"))
         with words:
@@ -125,12 +125,12 @@ def open_question() -> None:
                 )
             )
         with figure:
-            count_of_cubes(tallies, paper)
+            draw_counts(tallies, paper)
         with words:
-            what_stays(tallies[paper])
+            name_coincidences(tallies[paper])
 
 
-def where_the_form_comes_from() -> None:
+def explain_form() -> None:
     """Name the bodies that lead to the form for any target."""
     x, y = number_theory.norm_form()
     sentence = _(
@@ -143,7 +143,7 @@ def where_the_form_comes_from() -> None:
         st.latex(cache.norm_identity())
 
 
-def what_it_means() -> None:
+def explain_norm() -> None:
     """Explain why the discriminant is a norm."""
     words, formula = columns("norm")
     with words:
@@ -162,7 +162,7 @@ def what_it_means() -> None:
         st.latex(cache.product_of_norms())
 
 
-def the_number_as_a_norm() -> None:
+def describe_norm() -> None:
     """Explain the consequences of the norm for the paper's number."""
     ways = number_theory.represent_x2_plus_3y2(PAPER.discriminant)
     primes = [prime for prime, _power in PAPER.factorization]
@@ -194,7 +194,7 @@ def the_number_as_a_norm() -> None:
         st.markdown(sentence.format(factored=cache.factored_cubes(PAPER.discriminant)))
 
 
-def _counted(pairs: list[tuple[str, str]]) -> list[cache.Tally]:
+def _count_cubes(pairs: list[tuple[str, str]]) -> list[cache.Tally]:
     progress, tallies = st.empty(), []
     for n, names in enumerate(pairs):
         progress.progress(n / len(pairs), _("Counting sums of two cubes …"))
@@ -203,20 +203,20 @@ def _counted(pairs: list[tuple[str, str]]) -> list[cache.Tally]:
     return tallies
 
 
-def count_of_cubes(tallies: list[cache.Tally], at: int) -> None:
+def draw_counts(tallies: list[cache.Tally], at: int) -> None:
     """Draw the number of discriminants that are sums of two cubes, for each pair of lower rollers."""
     paper = tallies[at]
     second = max((tally for tally in tallies if tally is not paper), key=lambda tally: tally.sums)
     smaller = [tally for tally in tallies if tally.median < paper.median]
-    labels = [pair(*tally.pair) for tally in tallies]
+    labels = [pair_name(*tally.pair) for tally in tallies]
     sums, item = [tally.sums for tally in tallies], _("{pair}: {sums}")
     listed = "; ".join(item.format(pair=label, sums=n) for label, n in zip(labels, sums, strict=True))
-    sees = _(
+    alternative = _(
         "How many of {count} discriminants are sums of two positive cubes, by pair of lower rollers. The paper’s pair "
         "has the most. {sums}."
     )
     figure = figures.cube_counts(labels, sums, at, theme.colors())
-    drawings.plot(figure, "counts", sees.format(count=paper.machines, sums=listed))
+    drawings.plot(figure, "counts", alternative.format(count=paper.machines, sums=listed))
     counted = _(
         "Counted for all targets p/q with p and q up to {most} that every machine reaches, and for each body on top: "
         "{paper.machines} discriminants for each pair of lower rollers. The paper’s pair, {pair}, gives {paper.sums} "
@@ -228,7 +228,7 @@ def count_of_cubes(tallies: list[cache.Tally], at: int) -> None:
     st.caption(filled(counted, most=most, paper=paper, pair=labels[at], second=second.sums, smaller=len(smaller)))
 
 
-def what_stays(paper: cache.Tally) -> None:
+def name_coincidences(paper: cache.Tally) -> None:
     """Name the remaining coincidences."""
     near = ", ".join(str(machine.discriminant) for machine in number_theory.one_change_away())
     sentence = _(

@@ -10,28 +10,28 @@ from ramanujan.pages.taxicab import cache, other_bodies, other_targets
 from ramanujan.pages.taxicab.cache import PAPER
 from ramanujan.shell import address, sidebar, widgets
 from ramanujan.shell.display_mode import columns, folded, is_projector, picture_and_words, slide
-from ramanujan.shell.sections.cubes import stacks
+from ramanujan.shell.sections.cubes import draw_stacks
 from ramanujan.translation import _, ngettext
 
 DIGITS = address.Count("digits", number_theory.integers.MOST_DIGITS, 100)
 URL_PARAMETERS = (*other_bodies.URL_PARAMETERS, *other_targets.URL_PARAMETERS, DIGITS)
-ASIDE = ("k", "compression")
+FOLDED_PARAMETERS = ("k", "compression")
 
 
 def show() -> None:
     """Draw the page."""
     with slide("in_step", _("In step")):
-        in_step()
+        draw_condition()
     title = _("The exact ratio to a thousand digits, and the fractions closest to it")
-    folded("digits", title, digits_and_fractions, expanded=address.held(DIGITS) != DIGITS.default)
+    folded("digits", title, draw_digits, expanded=address.current(DIGITS) != DIGITS.default)
     with slide("cubes", _("Two stacks of cubes")):
-        two_stacks()
-    other_bodies.other_bodies()
-    other_targets.open_question()
+        draw_both_stacks()
+    other_bodies.draw_other_bodies()
+    other_targets.draw_open_question()
     sidebar.follow(*other_bodies.FOLLOWERS, *other_targets.FOLLOWERS)
 
 
-def in_step() -> None:
+def draw_condition() -> None:
     """Draw the story of the taxicab, and the unit condition as algebra and on the curve. Other targets are folded."""
     st.title(str(PAPER.discriminant), anchor=False)
     words, figure = columns("in_step")
@@ -54,16 +54,16 @@ def in_step() -> None:
             )
         )
     with figure:
-        other_targets.the_curve()
+        other_targets.draw_curve()
     with words if is_projector() else figure:
         with st.skeleton(height=243):
             equations = cache.unit_equations()
         for line in equations:
             st.latex(line)
-    other_targets.another_target()
+    other_targets.draw_other_target()
 
 
-def digits_and_fractions() -> None:
+def draw_digits() -> None:
     """Draw the exact ratio with any number of digits, and its fractions for the workshop."""
     decimals, fractions = st.columns([2, 3], gap="medium") if is_projector() else columns("ratios")
     with decimals:
@@ -82,10 +82,10 @@ def digits_and_fractions() -> None:
             "fraction, and no other with such a small denominator is closer. A workshop could use these:"
         )
         st.markdown(sentence.format(first=first, others=", ".join(map(str, others))))
-        widgets.table(practical_ratios(), "ratios")
+        widgets.table(table_of_ratios(), "ratios")
 
 
-def practical_ratios() -> list[tuple[str, ...]]:
+def table_of_ratios() -> list[tuple[str, ...]]:
     """Return the table of ratios for the workshop."""
     rows: list[tuple[str, ...]] = [
         (_("ratio $\\varepsilon$"), _("error $\\Omega^2m/k-1$"), _("one full turn apart after"))
@@ -103,7 +103,7 @@ def scientific(value: Fraction) -> str:
     return rf"{in_latex(mantissa)}\times10^{{{int(exponent)}}}"
 
 
-def two_stacks() -> None:
+def draw_both_stacks() -> None:
     """Draw the number as two stacks of cubes."""
     st.header(_("Two stacks of cubes"), anchor=False)
     sentence = _(
@@ -115,7 +115,7 @@ def two_stacks() -> None:
     with words:
         st.markdown(sentence.format(number=PAPER.discriminant, cubes=sums, smallest=smallest))
     with figure:
-        stacks()
+        draw_stacks()
     expanded, same_terms = cache.discriminant_written_out()
     sentence = _(
         "One of the two sums can be read off the quadratic, term by term. Its discriminant $b^2-4ac$ is "

@@ -34,30 +34,30 @@ def show() -> None:
     machine = sidebar.oscillator()
     first_slide = slide("machine", _("The machine"))
     with first_slide, st.container(key="worksheet_tools"):
-        paper, seed, level = choose()
+        paper, seed, level = draw_options()
         if not is_projector():
-            exercise.compose()
-    asked = questions(machine, seed, level)
-    calculations = [number for number, question in enumerate(asked, start=1) if question.working]
+            exercise.draw_composer()
+    numbered = questions(machine, seed, level)
+    calculations = [number for number, question in enumerate(numbered, start=1) if question.working]
     with nullcontext() if is_projector() else st.container(key="worksheet", border=True):
         with first_slide:
-            head(machine, paper, seed, calculations, sum(question.points for question in asked))
-        for drawn in together(enumerate(asked, start=1), paper == "key"):
+            draw_head(machine, paper, seed, calculations, sum(question.points for question in numbered))
+        for drawn in slides_of(enumerate(numbered, start=1), paper == "key"):
             first, last = drawn[0][0], drawn[-1][0]
             numbers = _("Question {first}") if first == last else _("Questions {first} to {last}")
             with slide(f"question_{first}", numbers.format(first=first, last=last)):
                 for number, question in drawn:
-                    draw(number, question, paper == "key")
+                    draw_question(number, question, paper == "key")
 
 
-def together(
-    asked: Iterable[tuple[int, WorksheetQuestion]], with_key: bool
+def slides_of(
+    numbered: Iterable[tuple[int, WorksheetQuestion]], with_key: bool
 ) -> Iterator[list[tuple[int, WorksheetQuestion]]]:
     """Yield the numbered questions that fit on one slide."""
     drawn: list[tuple[int, WorksheetQuestion]] = []
     used = 0.0
-    for number, question in asked:
-        lines = [line for text in written(question, with_key) for line in text.splitlines() if line]
+    for number, question in numbered:
+        lines = [line for text in question_parts(question, with_key) for line in text.splitlines() if line]
         height = sum(1.5 * (1 + len(each) // _ROW) if "$$" in each else 1 + len(each) // _WIDTH for each in lines)
         if drawn and used + height > _LINES["key" if with_key else "questions"]:
             yield drawn
@@ -67,7 +67,7 @@ def together(
     yield drawn
 
 
-def written(question: WorksheetQuestion, with_key: bool) -> tuple[str, ...]:
+def question_parts(question: WorksheetQuestion, with_key: bool) -> tuple[str, ...]:
     """Return the parts of a question as Markdown."""
     options = "\n".join(f"- {option}" for option in question.options)
     if not with_key:
@@ -80,13 +80,13 @@ def uses_sidebar() -> bool:
     return False
 
 
-def choose() -> tuple[str, str, int]:
+def draw_options() -> tuple[str, str, int]:
     """Draw the options: worksheet, level, and with a key questions or answers. They are not printed."""
     with st.container(horizontal=True, vertical_alignment="bottom", key="worksheet_choices"):
-        has_key, paper = worksheet_keys.fits(KEY, address.held(SEED)), "questions"
+        has_key, paper = worksheet_keys.fits(KEY, address.current(SEED)), "questions"
         if has_key:
             paper = widgets.segmented_control(PAPER, _("Worksheet"), label_visibility="collapsed")
-        name_of_worksheet()
+        draw_name_box()
         level = widgets.selectbox(LEVEL, _("Guidance"), width=280)
         if not is_projector():
             st.button(_("New worksheet with its key"), width="stretch", on_click=make_worksheet)
@@ -98,7 +98,7 @@ def choose() -> tuple[str, str, int]:
     return paper, address.keep(SEED), level
 
 
-def name_of_worksheet() -> None:
+def draw_name_box() -> None:
     """Draw the box for the name of a worksheet. A reader copies this name from paper."""
 
     def take() -> None:
@@ -108,7 +108,7 @@ def name_of_worksheet() -> None:
             sentence = _("A worksheet’s name has {n:word} letters, all from {letters}. The old name was kept.")
             messages.note(SEED.name, filled(sentence, n=worksheet_keys.LETTERS, letters=ALPHABET), warning=True)
 
-    st.session_state["worksheet_name"] = spaced(address.held(SEED))
+    st.session_state["worksheet_name"] = spaced(address.current(SEED))
     st.text_input(
         _("Name of the worksheet"), key="worksheet_name", max_chars=40, width=230, on_change=take, autocomplete="off"
     )
@@ -121,7 +121,7 @@ def make_worksheet() -> None:
     st.session_state.update({KEY.name: key, SEED.name: worksheet_keys.name(key)})
 
 
-def head(machine: Oscillator, paper: str, seed: str, calculations: list[int], points: int) -> None:
+def draw_head(machine: Oscillator, paper: str, seed: str, calculations: list[int], points: int) -> None:
     """Draw the title, the name that worksheet and key have in common, and the machine of the calculations."""
     title = _("Ramanujan’s oscillator: key {seed}") if paper == "key" else _("Ramanujan’s oscillator: worksheet {seed}")
     st.title(title.format(seed=spaced(seed)), anchor=False)
@@ -136,7 +136,7 @@ def head(machine: Oscillator, paper: str, seed: str, calculations: list[int], po
             alt=_("The machine, drawn to scale: block, hoop, lower cylinder, slab, spring and top cylinder."),
             style=f"width:{'100%' if is_projector() else '35rem'};max-width:100%",
         )
-    said = [
+    sentences = [
         _(
             "Model: the bodies are rigid and the spring is ideal. The three rollers roll without slipping, and the "
             "floor has no friction. The machine oscillates with one angular frequency, Ω. The mass ratio is "
@@ -149,15 +149,15 @@ def head(machine: Oscillator, paper: str, seed: str, calculations: list[int], po
         ),
     ]
     with words:
-        st.markdown("\n\n".join(said))
+        st.markdown("\n\n".join(sentences))
 
 
-def draw(number: int, question: WorksheetQuestion, with_key: bool) -> None:
+def draw_question(number: int, question: WorksheetQuestion, with_key: bool) -> None:
     """Draw a question with space to write, or with its answer. A page break may split only its lines."""
     with st.container(key=f"question_{number}"):
         worth = ngettext("({n} point)", "({n} points)", question.points).format(n=question.points)
         begin = f"**{number}.** " if is_projector() else f"**{number}.** {worth} "
-        st.markdown(begin + "\n\n".join(filter(None, written(question, with_key))))
+        st.markdown(begin + "\n\n".join(filter(None, question_parts(question, with_key))))
         if not (with_key or is_projector()):
             lines = "<div style='border-bottom:1px dotted #888;height:1cm'></div>" * question.space
             st.html(f"<div class='room'>{lines}</div>")

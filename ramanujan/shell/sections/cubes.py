@@ -8,7 +8,7 @@ PAPER = BodyChoice()
 """The paper's machine."""
 
 
-def stacks() -> None:
+def draw_stacks() -> None:
     """Draw the two stacks, each with its sum. A line breaks only before an equals sign."""
     components.cubes(
         [(larger, smaller) for smaller, larger in PAPER.cubes],

@@ -26,26 +26,26 @@ END = _("Your worksheet")
 FILE = "exercise.md"
 
 
-def show(items: tuple[str, ...]) -> None:
+def draw_exercise(items: tuple[str, ...]) -> None:
     """Draw the current item of an exercise, or the worksheet after the last item."""
-    headings, with_key = [*map(title, items), END], worksheet_keys.fits(KEY, address.held(WORKSHEET))
-    now = min(address.held(ITEM), len(headings))
+    headings, with_key = [*map(title, items), END], worksheet_keys.fits(KEY, address.current(WORKSHEET))
+    now = min(address.current(ITEM), len(headings))
     with st.container(key="lesson_head"):
         place = _("Part {now} of {count}: {heading}")
         components.turn(headings, now, lambda to: st.session_state.update({ITEM.name: to}), place=place)
     if now > len(items):
-        finish(items)
+        draw_worksheet(items)
     elif (name := items[now - 1]) in QUESTIONS:
         with slide("question", title(name)):
             st.title(title(name), anchor=False)
-            questions.take(name)
-            questions.ask(name, with_step=with_key)
+            questions.judge_typed(name)
+            questions.draw_question(name, with_step=with_key)
             if with_key:
                 st.latex(questions.step_to_answer(name))
     else:
-        judged = tasks.draw(lesson.task(name))
+        judged = tasks.draw_task(lesson.task(name))
         if judged.done:
-            questions.keep(name, judged.sentence, is_right=True)
+            questions.store_answer(name, judged.sentence, is_right=True)
 
 
 def title(item: str) -> str:
@@ -53,9 +53,9 @@ def title(item: str) -> str:
     return questions.title(item) if item in QUESTIONS else lesson.task(item).heading
 
 
-def finish(items: tuple[str, ...]) -> None:
+def draw_worksheet(items: tuple[str, ...]) -> None:
     """Draw the worksheet, and offer it as a file."""
-    written = written_worksheet(items)
+    written = worksheet_text(items)
     with slide("question", END):
         st.markdown(written)
         with st.container(horizontal=True, vertical_alignment="center", key="worksheet_choices"):
@@ -65,29 +65,29 @@ def finish(items: tuple[str, ...]) -> None:
             )
 
 
-def written_worksheet(items: tuple[str, ...]) -> str:
+def worksheet_text(items: tuple[str, ...]) -> str:
     """Return the worksheet as Markdown: each item with its answer, the time of the first right one, and used hints."""
     lines = ["# " + _("Ramanujan’s oscillator: exercise"), _("Name: {line} Date: {line}").format(line="\\_" * 16), ""]
     for number, item in enumerate(items, start=1):
         is_question = item in QUESTIONS
         text = question(item).prompt() if is_question else lesson.task(item).text
-        found = questions.given(item)
+        given = questions.answer_to(item)
         lines.append(f"{number}. **{title(item)}.** {text}")
-        if found is None:
+        if given is None:
             lines.append("   - " + (_("Not answered.") if is_question else _("Not done yet.")))
         else:
             # Between these marks Markdown interprets nothing.
-            answer = f"`` {' '.join(found.answer.split()).replace('`', '')} ``" if is_question else found.answer
+            answer = f"`` {' '.join(given.answer.split()).replace('`', '')} ``" if is_question else given.answer
             lines.append("   - " + _("Answer: {answer}").format(answer=answer))
-            right = _("Right since {time}.") if found.right_since else _("Not right yet.")
-            time = f"{found.right_since:%Y-%m-%d %H:%M %Z}" if found.right_since else ""
+            right = _("Right since {time}.") if given.right_since else _("Not right yet.")
+            time = f"{given.right_since:%Y-%m-%d %H:%M %Z}" if given.right_since else ""
             lines.append("   - " + right.format(time=time))
         if hints := widgets.hints_shown(item if is_question else f"task_{item}"):
             lines.append("   - " + _("Hints used: {n}").format(n=hints))
     return "\n".join(lines) + "\n"
 
 
-def compose() -> None:
+def draw_composer() -> None:
     """Draw the editor for the links of an exercise. It is neither printed nor shown in the projector view."""
     if display_mode.is_projector():
         return
@@ -105,8 +105,8 @@ def compose() -> None:
             return
         machine = {each.name: f"{each.value:g}" for each in PARAMETERS.values() if each.value != each.default}
         key = st.session_state.setdefault("composed_key", worksheet_keys.new())
-        asked = {**machine, EXERCISE.name: EXERCISE.write(tuple(chosen)), WORKSHEET.name: worksheet_keys.name(key)}
-        link = address.link_for_others(asked, PAGES["lesson"].path).geturl()
+        query = {**machine, EXERCISE.name: EXERCISE.write(tuple(chosen)), WORKSHEET.name: worksheet_keys.name(key)}
+        link = address.link_for_others(query, PAGES["lesson"].path).geturl()
         st.markdown(_("For your students:"))
         st.code(link, language=None, wrap_lines=True)
         st.markdown(_("For you, with the key:"))

@@ -30,7 +30,7 @@ URL_PARAMETERS = (RELEASE, GLIDE, SPIN, METHOD, STEPS, PERIODS, *PLACES)
 _EXAMPLE = _("For example {entry}")
 
 
-def draw(task: Task) -> TaskVerdict:
+def draw_task(task: Task) -> TaskVerdict:
     """Draw a task, and return its progress."""
     with slide("task", task.heading):
         place = st.container(key="beside" if task.stage else None)
@@ -50,28 +50,30 @@ def draw(task: Task) -> TaskVerdict:
                 st.markdown(_(":small[Set the machine with its sliders.]"))
         if task.stage:
             with picture:
-                machine(task, attempt)
+                draw_machine(task, attempt)
         # In the projector view there is room below a machine without clocks.
         with picture if is_projector() and task.fields else words:
             with st.container(key="task_verdict"):
-                judged = verdict(task, attempt)
+                judged = draw_verdict(task, attempt)
             widgets.hints(f"task_{task.id}", [widgets.plain(hint) for hint in task.hints])
     return judged
 
 
-def verdict(task: Task, attempt: Attempt) -> TaskVerdict:
+def draw_verdict(task: Task, attempt: Attempt) -> TaskVerdict:
     """State whether the task is complete, and the distance to the goal."""
     judged = task.judge(attempt)
     if not judged.is_judged:
         st.markdown(f":small[{widgets.plain(judged.sentence)}]")
         return judged
     done, not_yet = _("Done."), _("Not yet.")
-    said = f":green[:material/check_circle: **{done}**]" if judged.done else f":orange[:material/flag: **{not_yet}**]"
-    st.container(border=True).markdown(f"{said} {widgets.plain(judged.sentence)}")
+    heading = (
+        f":green[:material/check_circle: **{done}**]" if judged.done else f":orange[:material/flag: **{not_yet}**]"
+    )
+    st.container(border=True).markdown(f"{heading} {widgets.plain(judged.sentence)}")
     return judged
 
 
-def machine(task: Task, attempt: Attempt) -> None:
+def draw_machine(task: Task, attempt: Attempt) -> None:
     """Draw the machine with its settings."""
     shown = {"key": f"stage_task_{task.id}", "narrow": True, "hide": task.hides, "compact": "formula" in task.fields}
     shown["layers"] = ("coordinates",) if shown["compact"] else ()
