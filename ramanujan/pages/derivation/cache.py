@@ -126,14 +126,23 @@ def _modes() -> Modes:
 def _row(symbolic: sp.Eq, label: str, dress: Dress, *, numbers: Numbers | None, inks: Mapping[str, str]) -> Row:
     """Return an equation with the colours of the bodies: in a sum by terms, in a line about one body throughout."""
     if inks and isinstance(symbolic.rhs, InOrder):
-        is_cube = symbolic.rhs.args[0].as_base_exp()[1] == _CUBE
-        owners = ["cube"] if is_cube else [part for part, own in terms(symbolic).items() for _term in own]
-        dress += tuple((1, place, rf"\textcolor{{{inks[part]}}}") for place, part in enumerate(owners))
-    named = {part: own for part in inks if (own := names(part, symbolic)) or belongs_to(part, symbolic)}
-    if len(named) == 1 and belongs_to(part := next(iter(named)), symbolic):
-        plain = row(symbolic, numbers, label=label, dress=dress)
-        return Row(
-            colored(plain.left, inks[part]), tuple(colored(term, inks[part]) for term in plain.terms), plain.value
-        )
-    highlight = tuple((each, inks[part]) for part, own in named.items() for each in sorted(own, key=str))
+        dress += tuple((1, place, rf"\textcolor{{{inks[part]}}}") for place, part in enumerate(_owners(symbolic)))
+    symbols = {part: names(part, symbolic) for part in inks}
+    parts = [part for part in inks if symbols[part] or belongs_to(part, symbolic)]
+    if len(parts) == 1 and belongs_to(parts[0], symbolic):
+        return _one_color(row(symbolic, numbers, label=label, dress=dress), inks[parts[0]])
+    highlight = tuple((symbol, inks[part]) for part in parts for symbol in sorted(symbols[part], key=str))
     return row(symbolic, numbers, highlight, label, dress)
+
+
+def _owners(symbolic: sp.Eq) -> list[str]:
+    """Return for each term of a sum the part of the machine, or the cube, that gives it its colour."""
+    first_term = symbolic.rhs.args[0]
+    if first_term.as_base_exp()[1] == _CUBE:
+        return ["cube"]
+    return [part for part, own_terms in terms(symbolic).items() for _term in own_terms]
+
+
+def _one_color(plain: Row, color: str) -> Row:
+    """Return a row with all of its terms in one colour."""
+    return Row(colored(plain.left, color), tuple(colored(term, color) for term in plain.terms), plain.value)

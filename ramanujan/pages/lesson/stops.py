@@ -99,18 +99,18 @@ def is_answered(stop: Stop) -> bool:
 
 def draw(stop: Stop, number: int) -> None:
     """Draw the stop with this number."""
-    chosen, phase = progress.prediction(stop)
     class_phase = class_session.phase_of(stop)
+    phase = progress.prediction(stop)[1]
     if class_phase is not None:
         # A lecturer’s page predicts with the class, and shows nothing before the class has seen it.
         phase = {Phase.RUNNING: progress.MISSED, Phase.SOLVED: progress.ANSWERED}.get(class_phase, progress.ASKED)
     running = is_running(phase)
     # In the projector view the running machine and the reason have their own slide.
-    apart = display_mode.is_projector() and (running or (class_phase is not None and not stop.exhibit))
+    has_own_slide = display_mode.is_projector() and (running or (class_phase is not None and not stop.exhibit))
     with slide("question", stop.heading):
         # In the projector view the question needs the full width, but an exhibit needs the full height.
         above = st.container() if display_mode.is_projector() and not stop.exhibit else None
-        if not apart:
+        if not has_own_slide:
             words, picture, reason = containers(stop, running)
         else:
             words = picture = reason = st.container()
@@ -118,34 +118,43 @@ def draw(stop: Stop, number: int) -> None:
             st.title(f"{number}. {stop.heading}", anchor=False)
             st.markdown(stop.question)
         with words:
-            if class_phase is not None:
-                classroom.draw_desk(stop, class_phase)
-            elif chosen is None:
-                draw_options(stop)
-            else:
-                if apart:
-                    st.markdown("\n".join(f"- {label}" for label in stop.options.values()))
-                draw_verdict(stop, chosen, phase)
-    if apart:
+            _draw_answers(stop, class_phase, phase, with_options=has_own_slide)
+    if has_own_slide:
         with slide("machine", _("The machine")):
             _words, picture, reason = containers(stop, running)
-    if phase == progress.ANSWERED:
-        with reason:
-            if stop.periods:
-                _draw_hands_button(stop)
+    with reason:
+        if phase == progress.ANSWERED:
             draw_explanation(stop)
     load_new_machine(stop, running)
     if not (stop.exhibit or display_mode.is_projector()):
         with reason, st.container(key="lesson_caption"):
-            caption = stop.sliders if running and stop.sliders else _caption(stop, running)
-            st.markdown(f":small[{caption}]")
-            if running and not stop.runs[0].label:
-                st.button(_("Change it with the sliders"), key=f"sliders_{stop.id}", on_click=_open_sliders)
-            if are_sliders_open():
-                components.publish("sliders_published", {"sliders": st.session_state[_SLIDERS]})
+            _draw_caption(stop, running)
     with picture:
         # A message of the desk's stage reruns only this fragment.
         st.fragment(draw_observation)(stop, running)
+
+
+def _draw_answers(stop: Stop, class_phase: Phase | None, phase: str, *, with_options: bool) -> None:
+    """Draw the lecturer's desk, the options, or the reader's prediction with its verdict."""
+    chosen = progress.prediction(stop)[0]
+    if class_phase is not None:
+        classroom.draw_desk(stop, class_phase)
+    elif chosen is None:
+        draw_options(stop)
+    else:
+        if with_options:
+            st.markdown("\n".join(f"- {label}" for label in stop.options.values()))
+        draw_verdict(stop, chosen, phase)
+
+
+def _draw_caption(stop: Stop, running: bool) -> None:
+    """Draw the caption about the sliders and the picture, and after the run a button that opens the sliders."""
+    caption = stop.sliders if running and stop.sliders else _caption(stop, running)
+    st.markdown(f":small[{caption}]")
+    if running and not stop.runs[0].label:
+        st.button(_("Change it with the sliders"), key=f"sliders_{stop.id}", on_click=_open_sliders)
+    if are_sliders_open():
+        components.publish("sliders_published", {"sliders": st.session_state[_SLIDERS]})
 
 
 def draw_observation(stop: Stop, running: bool, fixed: bool = False) -> None:
@@ -232,6 +241,8 @@ def _draw_moves(stop: Stop, chosen: str, label: str, phase: str) -> None:
 
 def draw_explanation(stop: Stop) -> None:
     """Explain the right option, and link to the page with the details."""
+    if stop.periods:
+        _draw_hands_button(stop)
     st.markdown(stop.explanation())
     label, page, query = stop.onward
     if not display_mode.is_projector():
