@@ -11,10 +11,11 @@ import { readNumber, twoReadings } from "./numbers.js";
 
 const settings = JSON.parse(document.querySelector("#settings").textContent);
 const { parameters, sentences, view } = settings;
-const values = {}, inputs = {};
+const values = {}, inputs = {}, mounted = [];
 const find = (selector) => document.querySelector(selector), note = find(".note");
 
-const asText = (value, { unit }) => withUnit(String(Number(value.toPrecision(7))).replace(".", DECIMAL), unit);
+const asText = (value) => String(Number(value.toPrecision(7))).replace(".", DECIMAL);
+const asQuantity = (value, { unit }) => withUnit(asText(value), unit);
 const isInRange = (value, { least, most }) => value >= least && value <= most;
 const clamp = (value, { least, most }) => Math.min(Math.max(value, least), most);
 
@@ -38,12 +39,12 @@ function set(changes, message = "") {
 
 /** Set a parameter from a text, or show which numbers are accepted and keep the old value. */
 function setFromText(parameter, text) {
-  const { key, symbol, least, most } = parameter, old = asText(values[key], parameter);
+  const { key, symbol, least, most } = parameter, old = asQuantity(values[key], parameter);
   const value = readNumber(text), readings = twoReadings(text);
   if (value === null) set({}, fill(sentences.unreadable, { symbol, old }));
   else if (readings) set({}, fill(sentences.ambiguous, { text, decimal: readings[0], whole: readings[1], old }));
   else if (isInRange(value, parameter)) set({ [key]: value });
-  else set({}, fill(sentences.outside, { symbol, old, least: asText(least, {}), most: asText(most, parameter) }));
+  else set({}, fill(sentences.outside, { symbol, old, least: asText(least), most: asQuantity(most, parameter) }));
 }
 
 /** Set the mass ratio: change m′, and also m if m′ would be outside of its range. */
@@ -54,7 +55,7 @@ function setRatio(ratio) {
   // The nearest mass on a step of the slider at which m′ is within its range.
   const steps = Number((bound / ratio / m.step).toFixed(6)), whole = wanted > bound ? Math.floor(steps) : Math.ceil(steps);
   const mass = clamp(Number((whole * m.step).toPrecision(10)), m);
-  const limits = { old: asText(values.m, m), new: asText(mass, m), bound: asText(bound, rollers) };
+  const limits = { old: asQuantity(values.m, m), new: asQuantity(mass, m), bound: asQuantity(bound, rollers) };
   const sentence = fill(wanted > bound ? sentences.lighter : sentences.heavier, limits);
   set({ m: mass, m_prime: clamp(ratio * mass, rollers) }, sentence);
 }
@@ -85,7 +86,7 @@ function addSlider(parameter) {
   const box = outer.appendChild(document.createElement("div"));
   box.className = `st-key-${key}_exact`;
   outer.append(slider);
-  mount(box, "components/exact", `${key}_exact`, head, (_event, text) => setFromText(parameter, text));
+  mounted.push(mount(box, "components/exact", `${key}_exact`, head, (_event, text) => setFromText(parameter, text)));
 }
 
 const start = readSettings();
@@ -97,7 +98,9 @@ find(".sliders").addEventListener("submit", (event) => event.preventDefault());
 note.addEventListener("click", () => (note.textContent = ""));
 bus.subscribe("announce", ({ sentence }) => (find("[role=status]").textContent = sentence));
 publish();
-mount(find(".st-key-stage"), "stage/stage", "stage", settings.stage);
-mount(find(".st-key-story"), "components/story", "story", settings.story);
+mounted.push(mount(find(".st-key-stage"), "stage/stage", "stage", settings.stage));
+mounted.push(mount(find(".st-key-story"), "components/story", "story", settings.story));
 drawCurve(find(".curve"), settings.curve, setRatio);
 addEventListener("hashchange", () => location.reload());
+await Promise.all(mounted);
+find("main").classList.add("complete");
