@@ -1,4 +1,4 @@
-"""The commands and programs in README and CONTRIBUTING.md run as printed."""
+"""The commands and programs in README run as printed."""
 
 import os
 import re
@@ -6,7 +6,6 @@ import shlex
 import socket
 import subprocess
 import sys
-from importlib import import_module
 from pathlib import Path
 
 import pytest
@@ -16,7 +15,6 @@ from ramanujan.translation import language_ids
 from tests.browser import ROOT
 
 README = (ROOT / "README.md").read_text(encoding="utf-8")
-CONTRIBUTING = (ROOT / ".github" / "CONTRIBUTING.md").read_text(encoding="utf-8")
 
 
 def block(name: str) -> str:
@@ -70,16 +68,6 @@ def test_the_package_is_found_from_another_folder_by_the_lines_that_say_where_it
 def test_the_lesson_takes_as_long_as_its_stops():
     for stops in (lesson.STOPS, [stop for stop in lesson.STOPS if stop.short]):
         assert f"{len(stops)} stops in {sum(stop.minutes for stop in stops)} minutes" in README
-
-
-def test_every_benchmark_is_named_and_prints_its_help(monkeypatch, capsys):
-    monkeypatch.setattr(sys, "argv", ["", "--help"])
-    for file in (ROOT / "tests/benchmarks").glob("*.py"):
-        if hasattr(benchmark := import_module(f"tests.benchmarks.{file.stem}"), "main"):
-            assert f"python -m {benchmark.__name__}`" in CONTRIBUTING
-            with pytest.raises(SystemExit, match="0"):
-                benchmark.main()
-            assert benchmark.__doc__.split()[:4] == capsys.readouterr().out.partition("\n\n")[2].split()[:4]
 
 
 def test_a_port_that_is_taken_is_named_before_the_app_is_imported():
