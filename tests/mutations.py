@@ -16,9 +16,7 @@ from tests.browser import ROOT
 
 _COPIED = ("app.py", "ramanujan", "tests", ".streamlit", ".pytest.ini")
 DRAWN = "all_that_is_drawn"
-"""The test that compares every body, hand, bar and arrow with the core."""
-
-
+"""The test that compares every body and both hands with the core."""
 LAYERS = "marks_of_every_layer"
 """The test that compares the marks of all layers with the core."""
 
@@ -74,12 +72,14 @@ MUTATIONS = [
         "stage/formulas.py",
         '"kinetic_energy": {body.name: body.kinetic_energy for',
         '"kinetic_energy": {body.name: body.mass * body.velocity**2 / 2 for',
+        LAYERS,
     ),
     Mutation(
         "bars against their own largest",
         "stage/layers.js",
         "energies.reduce((sum, energy) => sum + energy, 0)",
         "Math.max(...energies)",
+        LAYERS,
     ),
     Mutation(
         "velocities point the wrong way",
@@ -159,7 +159,7 @@ MUTATIONS = [
         ": 0",
         "pushed_machine",
     ),
-    Mutation("X counts to the right", "stage/coordinates.js", "length = -7.5", "length = 7.5", "layer_of_coordinates"),
+    Mutation("X counts to the right", "stage/coordinates.js", "length = -7.5", "length = 7.5", LAYERS),
     Mutation(
         "the picture's height follows the radius",
         "stage/picture.js",
@@ -186,7 +186,7 @@ MUTATIONS = [
         "../lesson/classes.py",
         "PRESENT = 20.0",
         "PRESENT = 200.0",
-        "heard_of_lately",
+        "recent_request",
     ),
     Mutation(
         "what is typed before a preset is taken after it",
@@ -200,7 +200,7 @@ MUTATIONS = [
         "../answers/grammar.py",
         "= 320, 20, 12, 120",
         "= 320, 20, 13, 120",
-        "limit_is_reached",
+        "limits_are_exact",
     ),
     *(
         Mutation(

@@ -4,6 +4,7 @@ import math
 from collections.abc import Callable
 
 import numpy as np
+import pytest
 
 from ramanujan import UNIT_MASS_RATIO, Oscillator
 from ramanujan.browser import stage
@@ -79,6 +80,7 @@ def bars(picture: Picture, drawn: dict) -> Pairs:
     shares = dict.fromkeys(drawn["bars"], 0.0)
     for name, energy in energies(picture.machine, picture.q, picture.q_dot).items():
         shares[name.partition("_")[0]] += float(energy) / total
+    assert drawn["shares"] == pytest.approx([100 * shares[name] for name in drawn["bars"]], abs=0.51), "percent"
     return {name: (share * whole, shares[name] * whole) for name, share in drawn["bars"].items()}
 
 
@@ -102,7 +104,10 @@ def traces(picture: Picture, drawn: dict) -> Pairs:
 
 
 def coordinates(picture: Picture, drawn: dict) -> Pairs:
-    """Return X, x₀, 2Rφ and R, and the radius to the mark on each rim."""
+    """Return X, x₀, 2Rφ and R, and the radius to the mark on each rim.
+
+    X counts to the left, and angles count clockwise: the arrow on the right side of a rim points down.
+    """
     marks, pixels, R = drawn["marks"], picture.pixels, picture.machine.radius
     X, phi, Phi = picture.q
     way, released, radius = marks["X_value"], marks["x0_value"], marks["R_value"]
@@ -113,7 +118,12 @@ def coordinates(picture: Picture, drawn: dict) -> Pairs:
         "slab": (length(marks["slab_value"] and marks["slab_value"]["arrow"]), slab * pixels),
         "R": (math.dist(radius["start"], radius["end"]), R * pixels),
     }
+    assert marks["X_sense"]["arrow"][0] < marks["X_sense"]["start"][0] - 3
     for name, angle in (("hoop", phi), ("cylinder", phi), ("top", Phi)):
+        (x, y), sense = drawn["rollers"][name]["centre"], marks[f"{name}_sense"]
+        assert marks[f"{name}_radius"]["start"] == pytest.approx([x, y], abs=PIXEL)
+        assert sense["start"][0] > x
+        assert sense["arrow"][3] > sense["start"][1] + 2
         right, down = np.subtract(marks[f"{name}_radius"]["end"], marks[f"{name}_radius"]["start"])
         pairs[f"{name} along"] = right, R * math.sin(angle) * pixels
         pairs[f"{name} upwards"] = -down, R * math.cos(angle) * pixels
