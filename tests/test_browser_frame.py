@@ -82,8 +82,7 @@ def check_lasting_seat(tab: Page, course: CoursePage, opened: Class) -> None:
     assert shared().question(opened.code).answered == 1
 
 
-@pytest.mark.parametrize("engine", ["chromium", "firefox"])
-@pytest.mark.parametrize("secure", [False, True], ids=["http", "https"])
+@pytest.mark.parametrize(("engine", "secure"), [("chromium", False), ("firefox", True)])
 def test_a_pupil_in_a_frame_has_one_seat(browsers, visitor, server, opened, engine, secure):
     with CoursePage(server, f"lesson?class={opened.code}&embed=true", secure=secure) as course:
         check_lasting_seat(visitor(browsers(engine)).new_page(), course, opened)
@@ -95,7 +94,7 @@ def test_without_storage_a_partitioned_cookie_preserves_the_seat(strict, visitor
         check_lasting_seat(visitor(strict).new_page(), course, opened)
 
 
-@pytest.mark.parametrize(("engine", "secure"), [("chromium", False), ("firefox", False), ("firefox", True)])
+@pytest.mark.parametrize(("engine", "secure"), [("chromium", False), ("firefox", True)])
 def test_without_any_storage_the_page_offers_a_new_tab(strict, visitor, server, opened, secure):
     with CoursePage(server, f"lesson?class={opened.code}&embed=true", secure=secure) as course:
         context = visitor(strict)

@@ -95,6 +95,7 @@ def test_a_click_or_another_button_on_the_slab_changes_nothing(picture, engine):
     assert picture.bare.sent == []
 
 
+@ANY_ENGINE
 def test_the_slider_follows_the_dragged_slab_and_sends_its_last_value(picture):
     assert picture.find(HINT) == "↔ drag: x₀ = 8\u202fcm"
     take_slab(picture, -3)
@@ -119,6 +120,7 @@ def test_the_slab_is_elastic_beyond_its_bounds_and_a_note_explains_it(picture):
     assert slab_over_block(picture.page) == pytest.approx(12, abs=0.02)
 
 
+@ANY_ENGINE
 def test_escape_cancels_a_drag_and_undo_restores_the_last_compression(picture):
     press(picture, "forward")
     before = slab_over_block(picture.page)
@@ -158,6 +160,7 @@ def test_a_lost_capture_ends_the_drag(picture):
     picture.page.mouse.up()
 
 
+@ANY_ENGINE
 def test_home_and_end_and_arrows_move_the_slab(picture):
     picture.find("root.querySelector('.moving .body.slab').focus()")
     for key, value in (("Home", 0.5), ("End", 12.0), ("ArrowLeft", 11.5), ("PageDown", 9.0)):

@@ -1,10 +1,9 @@
-"""Eight journeys through the whole app in Firefox and in WebKit, each in a fresh window.
+"""Six journeys through the whole app in Firefox and in WebKit, each in a fresh window.
 
 They use the common features of both drivers: evaluation of JavaScript, a mouse, a keyboard. Chromium is tested further
 in the files of the pages.
 """
 
-import re
 from collections.abc import Callable
 from io import BytesIO
 
@@ -114,17 +113,6 @@ def test_first_page_drag_type_drag_the_slab_and_bring_both_into_step(at):
     assert check_stage(visitor).mass_ratio == pytest.approx(UNIT_MASS_RATIO, rel=1e-15)
 
 
-def test_derivation_turn_a_step_and_type_a_formula(at):
-    visitor = at("derivation?question=potential_energy")
-    first = visitor.read(".st-key-lecture h2")
-    visitor.click("button", "Next")
-    visitor.wait("/step=2/.test(location.search)")
-    assert visitor.read(".st-key-lecture h2") != first
-    for text, told in (("4kR²φ²", "leave out the ½"), ("2kR²φ²", "Right!")):
-        visitor.write("[aria-label='Your formula']", text)
-        visitor.wait(f"document.querySelector('[data-testid=stAlert]')?.innerText.includes('{told}')")
-
-
 def test_motion_one_moment_in_every_figure(at):
     visitor = at("motion")
     visitor.until(".js-plotly-plot .nsewdrag")
@@ -212,22 +200,3 @@ def test_worksheet_on_paper(at):
     across, _, end, _ = drawn.getbbox()
     assert end - across > 0.9 * picture["width"]
     assert visitor.page.evaluate(CUT) == []
-
-
-def test_a_link_with_everything(at):
-    machine = "m=2&m_prime=0.7&k=30&compression=6&radius=8"
-    visitor = at(f"?{machine}&layers=arrows,traces&speed=0.5&from=block&paused=0.25,0.3&hide=curve,plain")
-    visitor.wait("globalThis.ramanujan?.last('time/oscillator')")
-    drawn = check_stage(visitor)
-    assert (drawn.m, drawn.m_prime, drawn.k, drawn.radius) == (2, 0.7, 30, 0.08)
-    shown = inside(
-        visitor.page,
-        """[
-      [...root.querySelectorAll("[data-layer] input:checked")].map((box) => box.parentElement.dataset.layer).sort(),
-      root.querySelector(".speeds select").value, root.querySelector(".viewpoint input").checked,
-      Number(root.querySelector(".scrub input").value), root.querySelector(".machine > .plain")]""",
-    )
-    assert shown == [["arrows", "traces"], "0.5", True, pytest.approx(0.25, abs=1e-3), None]
-    angle = inside(visitor.page, "root.querySelector('.hand.machine').getAttribute('transform')")
-    assert float(re.search(r"-?[\d.]+", angle)[0]) % 360 == pytest.approx(90, abs=0.1)
-    assert visitor.find(".st-key-curve .nsewdrag") is None

@@ -102,6 +102,7 @@ def test_buttons_layers_and_keys_have_the_same_effects(picture):
     assert not picture.find(opened)
 
 
+@ANY_ENGINE
 def test_less_motion_is_a_still_described_in_words_and_the_preference_takes_effect_at_once(bare):
     here = bare()
     here.sliders(m=1, m_prime=1, k=10, compression=8, radius=10)
