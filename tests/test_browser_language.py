@@ -11,6 +11,8 @@ import pytest
 from ramanujan.shell.navigation import PAGES
 from tests.browser import ROOT, running, script, settle
 
+pytestmark = pytest.mark.xdist_group("pseudo")  # one server for both tests
+
 STREAMLITS_OWN = (
     "Skip to main content",
     *(f"{n} more" for n in (1, 2, 3)),
@@ -58,12 +60,14 @@ ADDRESSES["taxicab"] += "?p=1000&q=999&digits=1000&left=sphere"
 """Name of a page → its address, with the longest numbers."""
 
 
-@pytest.fixture
-def pseudo(monkeypatch: pytest.MonkeyPatch) -> Iterator[str]:
+@pytest.fixture(scope="module")
+def pseudo() -> Iterator[str]:
     """The address of an app in the pseudo-language."""
-    monkeypatch.setenv("RAMANUJAN_LANGUAGE", "pseudo")
-    monkeypatch.setenv("RAMANUJAN_LANGUAGES", "en:/,hu:/hu/,pseudo:/pseudo/")
-    with running(ROOT / "app.py") as address:
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setenv("RAMANUJAN_LANGUAGE", "pseudo")
+        patch.setenv("RAMANUJAN_LANGUAGES", "en:/,hu:/hu/,pseudo:/pseudo/")
+        app = running(ROOT / "app.py")
+    with app as address:
         yield address
 
 

@@ -1,4 +1,4 @@
-"""The app in its languages: pages, stops and tasks send no English text, and use the decimal mark."""
+"""An app in another language: pages, stops and tasks contain no English text, and use the decimal mark."""
 
 import json
 import os
@@ -6,7 +6,6 @@ import re
 import subprocess
 import sys
 
-from ramanujan import lesson
 from ramanujan.catalogue import COMPLETE
 from ramanujan.shell.navigation import PAGES
 from tests.browser import ROOT
@@ -15,20 +14,30 @@ from tests.catalogue import strings, template, texts, translated
 ENGLISH = re.compile(r"\b(the|of|and|with|are|this|from|to|not|has|it|which)\b", re.IGNORECASE)
 """Words of English sentences that do not occur in other languages."""
 POINT = re.compile(r"(?<![\w./×-])\d+\.\d+(?![\w./])")
-PLACES = [(name, {}) for name in PAGES] + [
-    *(("lesson", {"stop": stop.id, "chosen": f"{stop.id}.{stop.right}"}) for stop in lesson.STOPS),
-    *(("lesson", {"part": "tasks", "task": task.id}) for task in lesson.TASKS),
-    ("worksheet", {"key": "yes"}),
+PLACES = [
+    *((name, {}) for name in PAGES),
+    ("lesson", {"stop": "steps", "chosen": "steps.euler"}),
+    ("lesson", {"part": "tasks"}),
+    ("lesson", {"part": "notes"}),
 ]
 SENT = """
 import json, sys
+from ramanujan import lesson
 from tests.test_addresses import opened
 from tests.test_scene_lesson import sent
-print(json.dumps([sent(opened(name, address)) for name, address in json.loads(sys.argv[1])]))
+texts = [sent(opened(name, address)) for name, address in json.loads(sys.argv[1])]
+texts += [
+    json.dumps([stop.heading, stop.question, *stop.hints, *stop.options.values(), stop.explanation(), stop.onward.label,
+                *(stop.reply(option) for option in stop.options if option != stop.answer())])
+    for stop in lesson.STOPS
+]
+texts += [json.dumps([task.heading, task.text, *task.hints]) for task in lesson.TASKS]
+print(json.dumps(texts))
 """
+"""Prints the messages of some pages, and the texts of all stops and tasks."""
 
 
-def told(language: str) -> set[str]:
+def sent_texts(language: str) -> set[str]:
     """Return all strings in the messages of an app in this language."""
     command = [sys.executable, "-c", SENT, json.dumps(PLACES)]
     environment = os.environ | {"RAMANUJAN_LANGUAGE": language}
@@ -48,20 +57,20 @@ def inside(value: object) -> set[str]:
     return {value} if isinstance(value, str) else set()
 
 
-def test_nothing_that_is_sent_is_english():
+def test_no_text_of_a_german_app_is_english():
     """One language suffices: a text without gettext is English in all. test_words checks the catalogues."""
     language = COMPLETE[0]
     messages = [each for each in translated(language) if each.id]
     english = {text for each in messages for text in texts(each)} - {
         text for each in messages for text in strings(each)
     }
-    found = told(language)
+    sent = sent_texts(language)
     # Keys of values are words without a capital; an array's bytes have no spaces.
-    labels = {text for text in found & english if not text.islower() or " " in text}
-    assert sorted({text for text in found if " " in text and ENGLISH.search(text)} | labels) == []
+    labels = {text for text in sent & english if not text.islower() or " " in text}
+    assert sorted({text for text in sent if " " in text and ENGLISH.search(text)} | labels) == []
     # A text that is only a number is for a program.
-    assert sorted(text for text in found if POINT.search(text) and not text.replace(".", "").isdecimal()) == []
-    assert sum(bool(re.search(r"\d,\d", text)) for text in found) > 30
+    assert sorted(text for text in sent if POINT.search(text) and not text.replace(".", "").isdecimal()) == []
+    assert sum(bool(re.search(r"\d,\d", text)) for text in sent) > 30
 
 
 def test_an_english_sentence_is_found_by_its_words():

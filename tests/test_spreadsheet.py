@@ -15,7 +15,6 @@ import pytest
 from ramanujan import Oscillator
 from ramanujan.pages.motion import cache
 from ramanujan.record import columns
-from ramanujan.translation import language_ids
 from tests.browser import ROOT
 
 FILES = """
@@ -30,7 +29,7 @@ votes = {option: number for number, option in enumerate(stop.options)}
 asked = [ClassResult(stop.id, 1764000000.0, 7, votes, None), ClassResult(stop.id, 1764000900.0, 7, votes, votes)]
 print(json.dumps([files.sheet(motion, 0.2, [("m [kg]", 2.5)]), as_spreadsheet(asked)]))
 """
-LOCALES = {"de": 1031, "en": 1033, "hu": 1038}
+LOCALES = {"en": 1033, "hu": 1038}
 """Language → LibreOffice's number of its locale."""
 CELL, ROW, ROWS, COLUMNS = (
     f"{{urn:oasis:names:tc:opendocument:xmlns:table:1.0}}{name}"
@@ -56,7 +55,7 @@ def cells(file: Path) -> list[ET.Element]:
     return found
 
 
-@pytest.mark.parametrize("language", language_ids())
+@pytest.mark.parametrize("language", ["en", "hu"])
 def test_a_spreadsheet_has_all_numbers_and_words_of_its_language(language):
     motion, votes = made(language)
     comma = language != "en"
@@ -69,10 +68,8 @@ def test_a_spreadsheet_has_all_numbers_and_words_of_its_language(language):
     assert not any(set("e." if comma else "e,") & set(cell) for row in numbers for cell in row)
     for column, series in zip(zip(*numbers, strict=True), expected.values(), strict=True):
         assert [float(cell.replace(",", ".")) for cell in column] == pytest.approx(series.tolist(), rel=1e-14, abs=0)
-    words = {"en": ("yes", "no"), "de": ("ja", "nein"), "hu": ("igen", "nem")}
-    said = {cell for row in votes.splitlines() for cell in row.split(";" if comma else ",")}
-    if language in words:
-        assert set(words[language]) <= said
+    words = {"en": {"yes", "no"}, "hu": {"igen", "nem"}}
+    assert words[language] <= {cell for row in votes.splitlines() for cell in row.split(";" if comma else ",")}
 
 
 @pytest.mark.skipif(not shutil.which("soffice"), reason="LibreOffice is not installed")

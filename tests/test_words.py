@@ -14,11 +14,8 @@ from pathlib import Path
 import polib
 import pytest
 from babel.messages.catalog import Message
-from babel.messages.extract import extract_from_dir
 
 from ramanujan import catalogue
-from ramanujan.browser import modules
-from ramanujan.browser.stage import words
 from ramanujan.catalogue import COMPLETE, Translations, difference, languages, translations
 from tests.catalogue import KEYWORDS, PACKAGE, merged, remaining, sentence, strings, template, texts, translated, update
 
@@ -62,14 +59,15 @@ def name_of(call: ast.Call) -> str:
 
 def test_the_template_holds_every_message_and_each_is_a_literal():
     """Extraction tools skip messages that are not literals, and the expressions of f-strings."""
-    held = Counter(file for file, *_rest in extract_from_dir(PACKAGE, [("**.py", "python")], keywords=KEYWORDS))
+    # The template contains each message once, with all its places.
+    extracted = Counter(file for file, _line in {place for message in messages() for place in message.locations})
     for path, tree in sources():
-        found = list(calls(tree, *KEYWORDS))
-        assert len(found) == held[str(path.relative_to(PACKAGE))], path
-        for call in found:
+        written = list(calls(tree, *KEYWORDS))
+        assert len({call.lineno for call in written}) == extracted[str(path.relative_to(PACKAGE))], path
+        for call in written:
             literals = call.args[: 1 if name_of(call) == "_" else 2]
             assert all(isinstance(each, ast.Constant) and isinstance(each.value, str) for each in literals), path
-    assert sum(held.values()) > 300
+    assert extracted.total() > 300
 
 
 def test_numbers_have_singular_and_plural():
@@ -115,12 +113,6 @@ def test_no_line_breaks_before_a_hungarian_suffix():
             prose = re.sub(r"\{[^}]*\}", "x", _FORMULA.sub("x", text))
             found += [text for _each in BREAKING.finditer(prose)]
     assert found == []
-
-
-@pytest.mark.parametrize(("language", "keys"), [("de", ("Bild↑", "Bild↓")), ("hu", ("PgUp", "PgDn"))])
-def test_a_key_is_named_as_on_the_keyboards_of_the_country(language, keys):
-    spoken = translations(language)
-    assert (spoken.gettext("PageUp"), spoken.gettext("PageDown")) == keys
 
 
 QUOTED = re.compile(r"[“„]([^“„”]+)[”“]")
@@ -205,18 +197,6 @@ def test_a_lost_slot_formula_or_mark_is_found():
 # Whole sentences
 
 
-def test_underscore_means_gettext_wherever_it_is_imported():
-    for path, tree in sources():
-        imported = {
-            alias.name
-            for node in ast.walk(tree)
-            if isinstance(node, ast.ImportFrom) and node.module == "ramanujan.translation"
-            for alias in node.names
-        }
-        stored = [node for node in ast.walk(tree) if isinstance(node, ast.Name) and isinstance(node.ctx, ast.Store)]
-        assert not [node.lineno for node in stored if node.id in imported], path
-
-
 CORE = {"validation", "frequency", "oscillator", "motion", "energy", "contact", "record", "integrators"}
 NUMERIC = CORE | {"number_theory"}
 """Rooms with errors for programmers, which are English in every language."""
@@ -247,36 +227,6 @@ def test_every_sentence_is_set_well_and_short():
 
 
 # Numbers as words
-
-IN_DIGITS = {
-    "{answered} of {present} here have answered.": "a counter on the wall",
-    "{n} students have joined.": "a counter on the wall",
-    "{n} students joined in the last minute.": "a counter on the wall",
-    "{n} seats are taken. Empty: {empty}.": "a counter at the desk",
-    "Measuring {n} periods on this server …": "progress",
-    "{n} days": "a choice",
-    "{n} minutes": "a time in brackets behind a heading",
-    "{n} periods": "a cell of a table",
-    "({n} points)": "marks on a worksheet",
-    "{dtype}, {n} steps per period": "a point under the pointer",
-}
-"""Plural messages whose numbers remain digits, with their use."""
-COUNTED = re.compile(
-    r"\{([\w.]+)\} (?:other |full )?"
-    r"(?:methods|precisions|ways|forms|zero modes|bodies|machines|terms|letters|pairs|hints)\b"
-)
-"""A count in digits that should be a word if it is small."""
-MANY = {"machines", "count", "all"}
-"""Slots for the number of all machines."""
-
-
-def test_small_numbers_are_words_in_sentences():
-    plurals = [message.id[1] for message in messages() if message.pluralizable]
-    counting = [text for text in plurals if {"n", "answered"} & set(fields(text))]
-    assert {text for text in counting if not re.search(r"\{n:[Ww]ord\}", text)} == set(IN_DIGITS)
-    for text in every_text():
-        assert set(COUNTED.findall(text)) <= MANY, text
-
 
 NUMBER_WORDS = """
 from ramanujan.numerals import filled
@@ -350,19 +300,3 @@ def test_no_words_for_people_stand_in_a_script_or_in_html():
     assert spoken("a.js", 'node.textContent = "Both hands start together."')
     assert spoken("a.html", "<button>Copy link</button>")
     assert {name: found for name, text in scripts().items() if (found := spoken(name, text))} == {}
-
-
-def test_the_stage_says_what_words_py_holds_and_nothing_else():
-    texts = scripts()
-    used = {
-        name
-        for path, text in texts.items()
-        if path.startswith("browser/stage")
-        for name in re.findall(r"WORDS\.(\w+)", text)
-    }
-    # The sentence about the end of a motion is selected by its reason.
-    reasons = {"edge", "struck", "ended", "edge_ahead", "struck_ahead"}
-    assert used | reasons == {*words.SENTENCES, "slips", "bodies", "rolling", "deformation"}
-    assert sorted(set(fields(texts["browser/stage/stage.html"]))) == sorted({*words.TEXTS, "layer_boxes"})
-    assert "{animated}" in texts["browser/stage/stage.html"]
-    assert "{animated}" not in modules.contents()["markup.js"].decode()

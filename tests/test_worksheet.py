@@ -19,7 +19,6 @@ from ramanujan import UNIT_MASS_RATIO, Oscillator, lesson, normalized_frequency_
 from ramanujan.lesson.picture import machine_svg
 from ramanujan.lesson.worksheet import questions
 from ramanujan.shell import address, theme, worksheet_keys
-from ramanujan.translation import language_ids
 from tests.browser import ROOT
 from tests.latex import Formula
 
@@ -154,7 +153,7 @@ print([[question.space for question in sheet] for sheet in sheets])
 
 def test_points_and_lines_are_the_same_in_every_language_and_for_every_machine():
     sheets = set()
-    for language in language_ids():
+    for language in ("en", "pseudo"):  # the pseudo-language has longer words
         spoken = os.environ | {"RAMANUJAN_LANGUAGE": language}
         done = subprocess.run([sys.executable, "-c", SPACES], cwd=ROOT, env=spoken, capture_output=True, check=True)
         sheets.add(done.stdout)
