@@ -12,6 +12,7 @@ from ramanujan.derivation.numbers import Numbers
 from ramanujan.derivation.order import in_order
 from ramanujan.derivation.printers import latex
 from ramanujan.derivation.rows import rows
+from tests.browser import ROOT
 
 LETTERS = {r"\varphi": "φ", r"\Phi": "Φ", r"\Omega": "Ω", r"\omega": "ω", r"\alpha": "α", r"\xi": "ξ", r"\eta": "η"}
 SIGNS = {r"\varepsilon": "ε", r"\mathcal{L}": "ℒ", r"\mathcal{H}": "ℋ", "m'": "m′", r"\,": ""}
@@ -62,8 +63,11 @@ PAPER = {
     ("11a", "any", "elimination", 3): "Ẍ = [6(m + m′)/7m + 6m′]Rφ̈",
     ("11b", "any", "elimination", 4): "Φ̈ = [4(m + m′)/7m + 6m′]φ̈",
     ("12", "any", "insertion", 2): "φ̈ + [8k/8m + 7m′ − [24(m + m′)²/7m + 6m′]]φ = 0",
+    ("13", "any", "unit", 2): "7ε(7 + 6ε) − 24(1 + ε)² = 0",
+    ("14", "any", "root", -1): "ε = [√1729 − 1/36]",
+    ("15", "any", "root", 3): "(36ε + 1)² = 1729",
 }
-"""Number, masses, step and line → the equation in the paper's order.
+"""Number, masses, step and line → the equation of the paper, in its order.
 
 The paper writes both m + m′ and m′ + m, and both ẊΦ̇ and φ̇Ẋ. The list puts m before m′, and X before φ. The angle of the
 top cylinder, ϕ in the paper, is Φ. Moments of inertia and the spring's compression are inserted into (1).
@@ -77,6 +81,18 @@ def test_the_equations_of_the_paper_have_its_order(place):
     assert lines(route, key)[line] == PAPER[place]
 
 
+def test_the_list_of_the_paper_s_equations_names_their_steps():
+    """`.github/paper.md` lists each equation with the number and the heading of its step."""
+    text = (ROOT / ".github" / "paper.md").read_text(encoding="utf-8")
+    rows = re.findall(r"^\| \(([\w, ]+)\) \| (any|equal) \| (\d+) \| (.*) \| `(\w+)` \|$", text, re.MULTILINE)
+    listed = {(number, masses, key) for numbers, masses, *_, key in rows for number in numbers.split(", ")}
+    assert listed == {(number.partition(",")[0], masses, key) for number, masses, key, _line in PAPER}
+    for _numbers, masses, order, heading, key in rows:
+        route = ROUTES["euler_lagrange"] if masses == "any" else ROUTES.with_equal_masses("euler_lagrange")
+        step = route.steps[int(order) - 1]
+        assert (step.heading, step.key) == (heading, key)
+
+
 # All other lines
 
 
@@ -87,8 +103,6 @@ TEXTBOOK = {
     ("euler_lagrange", "inertia", 0): "I_hoop = m′R²",
     ("euler_lagrange", "ratio", 1): "[Ω²m/k] = [8/8 + 7ε − [24(1 + ε)²/7 + 6ε]]",
     ("euler_lagrange", "ratio", 2): "[Ω²m/k] = [8(7 + 6ε)/18ε² + 49ε + 32]",
-    ("euler_lagrange", "unit", 2): "7ε(7 + 6ε) − 24(1 + ε)² = 0",
-    ("euler_lagrange", "root", 3): "(36ε + 1)² = 1729",
     ("hamilton", "hamiltonian", 0): "ℋ = ½p_XẊ + ½p_φφ̇ + ½p_ΦΦ̇ + U",
     ("hamilton", "reduction", 0): "ℋ = [(p_φ + [2(m + m′)/7m + 6m′](3Rp_X + 2p_Φ))²/2M_eR²] + 2kR²φ² + ℋ_0",
     ("newton", "rolling", 2): "a_hoop − Rα_hoop = a_block",
