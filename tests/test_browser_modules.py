@@ -1,6 +1,4 @@
-"""Modules without the app, imported one by one in a browser: bus, begin, publish, motion, playback, clock."""
-
-import math
+"""Modules without the app, imported one by one in a browser: begin, publish, playback, clock."""
 
 import pytest
 
@@ -22,31 +20,6 @@ def page(bare) -> Bare:
 def run(bare: Bare, name: str, body: str, argument: object = None) -> object:
     """Run the body of a JavaScript function; `it` is the module, `given` the argument. Return the result."""
     return bare.page.evaluate(f"async (given) => {{ const it = await {module(name)}; {body} }}", argument)
-
-
-def test_the_bus(page):
-    """Check publishing, subscribing until an abort, and the last value of the page's only bus."""
-    received = run(
-        page,
-        "components/bus",
-        """
-        const { bus } = it, received = [], stop = new AbortController();
-        bus.publish("a", 1);
-        bus.subscribe("a", (value) => received.push(["early", value]), { signal: stop.signal });
-        bus.publish("a", 2);
-        stop.abort();
-        bus.publish("a", 3);
-        bus.subscribe("a", (value) => received.push(["aborted", value]), { signal: stop.signal });
-        bus.forget("a");
-        bus.subscribe("a", (value) => received.push(["forgotten", value]));
-        return { received, same: bus === ramanujan, known: bus.last("a") ?? null };
-        """,
-    )
-    assert received == {
-        "same": True,
-        "known": None,
-        "received": [["early", 1], ["early", 2]],
-    }
 
 
 def test_a_component_begins_once_is_updated_by_every_call_and_ends_with_the_last_one(page):
@@ -89,36 +62,6 @@ def test_a_published_value_remains_when_a_double_of_the_component_ends(page):
     assert received == [1, "forgotten"]
 
 
-def test_an_exception_in_a_listener_does_not_affect_the_others(page):
-    received = run(
-        page,
-        "components/bus",
-        """
-        const received = [], stop = new AbortController(), { signal } = stop;
-        const errors = new Promise((done) => addEventListener("error", (event) => {
-          event.preventDefault();
-          done(event.message);
-        }, { once: true }));
-        it.bus.subscribe("b", () => { throw Error("broken"); }, { signal });
-        it.bus.subscribe("b", (value) => received.push(value), { signal });
-        it.bus.publish("b", 7);
-        stop.abort();
-        const message = await errors;
-        window.errors.length = 0;
-        return [received, message];
-        """,
-    )
-    assert received[0] == [7]
-    assert "broken" in received[1]
-
-
-def test_samples_are_interpolated_linearly_and_constant_beyond_their_ends(page):
-    samples = {"per_period": 2, "q": [0, 1, 4]}
-    found = run(page, "stage/motion", "return [-1, 0.25, 0.75, 9].map((t) => it.sampleAt(given, t * it.TURN))", samples)
-    assert [q for q, _slope in found] == [0, 0.5, 2.5, 4]
-    assert found[2][1] * -2 * math.pi == pytest.approx(6)
-
-
 def test_the_clocks_start_together_whenever_the_two_frequencies_change(page):
     first, second = run(
         page,
@@ -137,23 +80,6 @@ def test_the_clocks_start_together_whenever_the_two_frequencies_change(page):
     )
     assert first != 0
     assert second == 0
-
-
-def test_a_frame_can_request_another_frame(page):
-    frames = run(
-        page,
-        "stage/clock",
-        """
-        const stop = new AbortController();
-        let frames = 0;
-        const advance = () => void (++frames < 4 && it.wake());
-        it.joinClock("w", { period: () => 1, advance }, true, stop.signal);
-        for (let i = 0; i < 8; i++) await new Promise(requestAnimationFrame);
-        stop.abort();
-        return frames;
-        """,
-    )
-    assert frames == 4
 
 
 def test_stages_on_one_clock_run_together_and_the_clock_ends_with_the_last_one(page):
