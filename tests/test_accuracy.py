@@ -82,7 +82,7 @@ def fewest_steps(machine, method, periods, tolerance):
     return int(n[worst <= tolerance][0]) if (worst <= tolerance).any() else None
 
 
-@pytest.mark.parametrize(("periods", "tolerance"), [(10, 0.1), (10, 0.01), (10, 1e-3), (10, 1e-7), (1, 1e-4)])
+@pytest.mark.parametrize(("periods", "tolerance"), [(10, 0.01), (10, 1e-7), (1, 1e-4)])
 def test_no_other_whole_number_of_steps_is_cheaper(periods, tolerance):
     machine = Oscillator(k=10.0)
     fewest = {method: n for method in METHODS if (n := fewest_steps(machine, method, periods, tolerance))}
