@@ -3,8 +3,6 @@
 test_browser_access opens each page in a laptop's window, and calls these checks at all widths.
 """
 
-import pytest
-
 from tests.browser import script
 from tests.test_browser_language import ADDRESSES, OVERLAPS
 
@@ -65,12 +63,11 @@ def test_a_page_whose_end_does_not_arrive_is_shown_without_it(visit):
     title.wait_for()
 
 
-@pytest.mark.parametrize("size", [(820, 1180), (390, 844)])
-def test_on_a_tablet_and_on_a_phone_nothing_jumps_while_a_page_is_loaded(visit, size):
+def test_on_a_phone_nothing_jumps_while_a_page_is_loaded(visit):
     """The page reserves the space of figures. The test on a laptop checks that drawing them causes no jump."""
     page, moved = None, {}
     for name, address in ADDRESSES.items():
         first = () if page else [SHIFTS]
-        page = visit(address, *first, width=size[0], height=size[1], tab=page, figures=bool(page))
+        page = visit(address, *first, width=390, height=844, tab=page, figures=bool(page))
         moved[name] = shift(page)
     assert max(moved.values()) < MOST_SHIFT, moved

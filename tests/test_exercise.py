@@ -69,6 +69,7 @@ def test_an_exercise_keeps_its_order_shows_no_key_and_ends_in_a_sheet(app):
     assert not app.latex
     answer(app, "potential_energy", "k` <b>|$R$")
     go(app, 4)
+    assert "Save this worksheet" in [each.proto.label for each in app.get("download_button")]
     (sheet,) = (each.value for each in app.markdown if each.value.startswith("# "))
     headings = re.findall(r"^\d+\. \*\*(.*?)\.\*\*", sheet, re.MULTILINE)
     assert headings == ["The quadratic equation", lesson.task("two-cubes").heading, "The potential energy"]

@@ -485,13 +485,3 @@ def test_desk_and_phone_name_what_is_stored_and_until_when(school):
     assert "cookie lasts 30 days" in offered
     for sentence in (offered, stored):
         assert sentence.endswith((f"{before:%Y-%m-%d}.", f"{after:%Y-%m-%d}."))
-
-
-def test_two_desks_follow_each_other(lecturer):
-    other = visitor(**address(lecturer))
-    press(lecturer, "ask")
-    for step in ("reveal", "run", "solve", "next"):
-        press(lecturer, step)
-    assert lecturer.session_state["stop"] != STOP.id
-    other.run()
-    assert other.session_state["stop"] == lecturer.session_state["stop"]
