@@ -189,7 +189,7 @@ def test_the_effective_mass_is_right_and_integers_are_the_nearest_float_for_rand
     assert {"overflow", "zero"} & set(sweeps["polynomial", dtype, "machines"].verdict)
 
 
-def test_the_papers_form_fails_as_the_exponent_range_says(sweeps):
+def test_the_papers_form_fails_where_the_exponent_range_ends(sweeps):
     first, *_, last = sweeps["paper", "float64", "scale"].stretches
     # If (m + m′)² = 4s² underflows to 0, the result is 8k/(15m) = 8/15, which is plausible but wrong.
     assert first.verdict == "plausible"

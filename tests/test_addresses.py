@@ -87,11 +87,11 @@ def state(app: AppTest, key: str) -> object:
     return app.session_state[key] if key in app.session_state else DEFAULTS[key]
 
 
-def test_no_two_pages_mean_different_things_by_a_key():
+def test_a_key_has_one_meaning_on_all_pages():
     assert len(DEFAULTS) == len(SHARED) + sum(map(len, OWN.values()))
 
 
-def test_the_list_of_pages_is_whole():
+def test_every_page_is_listed():
     drawn = {
         path.parent.name for path in (ROOT / "ramanujan" / "pages").glob("*/*.py") if "__main__" in path.read_text()
     }
@@ -100,7 +100,7 @@ def test_the_list_of_pages_is_whole():
 
 @pytest.mark.parametrize("shift", range(0, len(UNMEANT), 6))
 @pytest.mark.parametrize("name", PAGES)
-def test_all_keys_at_once_say_what_nobody_means(name, shift):
+def test_all_keys_at_once_cause_no_error(name, shift):
     """Give each key another kind of invalid value, and each page two assignments."""
     keys, kinds = sorted({**OWN[name], **SHARED}), list(UNMEANT)
     app = opened(name, {key: UNMEANT[kinds[(i + shift) % len(kinds)]] for i, key in enumerate(keys)})
@@ -138,7 +138,7 @@ def test_an_invalid_value_does_not_affect_other_keys(name):
 
 
 @pytest.mark.parametrize("name", [name for name in PAGES if OWN[name]])
-def test_an_address_is_taken_and_kept_as_it_is(name):
+def test_a_valid_address_is_unchanged_by_a_run(name):
     address = {key: meant(OWN[name][key]) for key in OWN[name].keys() - OF_A_CLASS}
     app = opened(name, address)
     assert not app.warning
@@ -169,7 +169,7 @@ def test_every_option_has_a_short_ascii_id():
                 assert key.read(text) == option
 
 
-def test_a_key_of_another_page_or_of_none_is_told_once(app):
+def test_an_unknown_key_gets_one_message(app):
     for key in ("route", "colour"):
         app = opened("motion", {key: "newton"})
         (warning,) = app.warning
@@ -188,7 +188,7 @@ def test_a_key_of_another_page_or_of_none_is_told_once(app):
         ("http://localhost/lesson", None, 8501, False),
     ],
 )
-def test_a_page_at_localhost_knows_its_address_in_the_network(monkeypatch, place, listens, port, is_reachable):
+def test_a_page_at_localhost_links_to_the_network_address(monkeypatch, place, listens, port, is_reachable):
     options = {"server.address": listens, "server.port": port}
     monkeypatch.setattr(st, "get_option", options.get)
     monkeypatch.setattr(type(st.context), "url", property(lambda _context: f"{place}?m=2"))
@@ -205,7 +205,7 @@ def test_a_page_at_localhost_knows_its_address_in_the_network(monkeypatch, place
     assert link.geturl().endswith(f"{place.partition('/')[2].partition('/')[2].partition('/')[2]}?class=ABC")
 
 
-def test_an_address_of_the_network_stays_as_the_browser_has_it(monkeypatch):
+def test_a_network_address_is_unchanged_in_a_link(monkeypatch):
     monkeypatch.setattr(type(st.context), "url", property(lambda _context: "https://school.example/hu/lesson"))
     assert addresses.link_for_others({}).geturl() == "https://school.example/hu/lesson"
     assert not addresses.is_for_this_computer_alone()

@@ -232,7 +232,7 @@ def test_wrong_answer_names_the_mistake(name, text, said):
 
 @settings(deadline=None, max_examples=60)
 @given(st.integers(1, 15), st.integers(-3, 3))
-def test_a_decimal_agrees_if_it_is_the_ratio_rounded_to_its_last_digit(places, off):
+def test_a_decimal_is_accepted_if_rounded_correctly(places, off):
     typed = Fraction(round(Fraction(str(RIGHT_RATIO.n(40))) * 10**places) + off, 10**places)
     message = judge(RATIO, f"{sp.Rational(typed).n(30):.{places}f}").message
     assert ("exact number agrees" in message) == (off == 0)
@@ -261,7 +261,7 @@ def test_a_right_answer_to_one_question_is_wrong_for_the_others(name):
 
 
 @pytest.mark.parametrize("name", QUESTIONS)
-def test_the_example_is_readable_of_the_right_unit_and_not_the_answer(name):
+def test_the_example_has_the_right_unit_and_is_not_the_answer(name):
     asked = question(name)
     assert judge(name, asked.example).kind == "wrong"
     example, right = (zero_on_the_right(text) for text in (asked.example, RIGHT[name][0]))
@@ -288,7 +288,7 @@ def test_question_accepts_only_its_listed_letters_and_names_them(name):
     assert all(each in judge(name, "y").message for each in ("“y” is not known", *listed))
 
 
-def test_a_question_is_one_entry(monkeypatch):
+def test_one_entry_adds_a_question(monkeypatch):
     """The README states this: mistakes and hints about bodies are optional."""
     new = questions.Question(
         "top_momentum",

@@ -69,7 +69,7 @@ def server(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Server]:
     shutil.rmtree(folder)
 
 
-def test_two_processes_share_a_class_and_a_server_that_dies_loses_no_vote(server: Server) -> None:
+def test_two_processes_share_a_class_and_a_killed_server_loses_no_vote(server: Server) -> None:
     school = classes.Classes(server.address, Clock())
     opened = school.open_class()
     school.ask(opened.key, "faster", OPTIONS)
@@ -94,17 +94,17 @@ def test_two_processes_share_a_class_and_a_server_that_dies_loses_no_vote(server
 @pytest.mark.parametrize(
     "test",
     [
-        in_a_file.test_nobody_sees_the_distribution_before_it_is_revealed,
+        in_a_file.test_the_distribution_is_hidden_until_it_is_revealed,
         in_a_file.test_first_and_second_vote_are_compared_student_by_student,
         in_a_file.test_an_answer_is_changed_until_the_reveal_and_a_late_one_is_refused_with_its_reason,
-        in_a_file.test_a_browser_is_one_voter_in_each_class_and_another_in_every_other,
+        in_a_file.test_a_browser_is_a_different_voter_in_each_class,
         in_a_file.test_students_with_a_recent_request_count_as_present,
         in_a_file.test_a_stop_that_is_asked_again_later_begins_a_new_vote_and_keeps_the_old_ones,
         in_a_file.test_only_the_key_opens_the_lecturers_desk,
     ],
     ids=lambda test: test.__name__,
 )
-def test_what_holds_in_a_file_holds_on_a_server(test, server: Server) -> None:
+def test_a_database_server_behaves_like_a_file(test, server: Server) -> None:
     clock = Clock()
     school = classes.Classes(server.address, clock)
     opened = school.open_class()
@@ -113,7 +113,7 @@ def test_what_holds_in_a_file_holds_on_a_server(test, server: Server) -> None:
     test(**{name: given[name] for name in inspect.signature(test).parameters})
 
 
-def test_a_server_that_is_not_there_gets_a_sentence(monkeypatch: pytest.MonkeyPatch) -> None:
+def test_a_missing_server_raises_a_sentence(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr("ramanujan.lesson.class_store.PATIENCE", 0.0)
     with pytest.raises(ClassError, match="too much to do"):
         classes.Classes("postgresql://ramanujan@127.0.0.1:1/postgres").open_class()

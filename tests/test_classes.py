@@ -126,7 +126,7 @@ def told_by(processes: list, votes: multiprocessing.Queue) -> dict[str, str]:
     return told
 
 
-def test_two_hundred_students_in_several_processes_lose_no_vote_though_one_process_dies(school, opened):
+def test_two_hundred_students_lose_no_vote_when_a_process_is_killed(school, opened):
     path, votes = school._store.path, NEW_PROCESS.Queue()
     ours, theirs = NEW_PROCESS.Pipe()
     victim = NEW_PROCESS.Process(target=answer_until_killed, args=(path, opened.code, theirs))
@@ -164,7 +164,7 @@ def test_timeout_raises_a_sentence(school, opened, monkeypatch):
 # ---- visibility of results
 
 
-def test_nobody_sees_the_distribution_before_it_is_revealed(school, opened):
+def test_the_distribution_is_hidden_until_it_is_revealed(school, opened):
     seat = school.join(opened.code)
     school.vote(seat, "faster", "plain")
     for asked in (None, FIRST, Vote(1, 2)):
@@ -192,7 +192,7 @@ def test_nobody_sees_the_distribution_before_it_is_revealed(school, opened):
             refused()
 
 
-def test_a_first_vote_that_was_never_revealed_is_revealed_with_the_second(school, opened):
+def test_a_hidden_first_vote_is_revealed_with_the_second(school, opened):
     seat = school.join(opened.code)
     school.vote(seat, "faster", "plain")
     school.ask_again(opened.key)
@@ -256,14 +256,14 @@ def test_an_answer_is_changed_until_the_reveal_and_a_late_one_is_refused_with_it
         school.ask_again(opened.key)
 
 
-def test_a_question_whose_answer_is_known_is_not_asked_again(school, opened):
+def test_a_solved_question_cannot_be_asked_again(school, opened):
     school.show(opened.key, Phase.SOLVED)
     assert astuple(school.question(opened.code))[1:3] == (FIRST, Phase.SOLVED)
     with pytest.raises(ClassError, match="already seen the right answer"):
         school.ask_again(opened.key)
 
 
-def test_a_class_that_was_asked_nothing_takes_no_answer(school):
+def test_a_class_without_a_question_accepts_no_answer(school):
     opened = school.open_class()
     seat = school.join(opened.code)
     assert school.question(opened.code).stop is None
@@ -279,7 +279,7 @@ def test_a_class_that_was_asked_nothing_takes_no_answer(school):
 # ---- codes, keys and seats
 
 
-def test_a_code_is_read_however_it_was_typed_and_no_two_letters_look_alike(school, opened):
+def test_a_code_is_read_in_any_spelling_and_its_letters_are_distinct(school, opened):
     typed = f" {opened.code[:3].lower()}-{opened.code[3:]}\n"
     assert school.join(typed).code == opened.code
     assert not set(ALPHABET) & set("AEIOUY" + "QGV" + string.digits)
@@ -409,7 +409,7 @@ def test_database_does_not_contain_the_lecturers_key(school, opened):
     assert seat.voter.encode() in kept  # Negative control: the search finds a value stored in plain text.
 
 
-def test_a_voter_who_never_joined_has_no_vote(school, opened):
+def test_a_voter_without_a_seat_cannot_vote(school, opened):
     other = school.open_class()
     seat = school.join(other.code)
     for voter in ("", "somebody", seat.voter):
@@ -418,7 +418,7 @@ def test_a_voter_who_never_joined_has_no_vote(school, opened):
     assert answered(school, opened) == 0
 
 
-def test_a_browser_is_one_voter_in_each_class_and_another_in_every_other(school, opened):
+def test_a_browser_is_a_different_voter_in_each_class(school, opened):
     """Three tabs of one phone share one vote. Another phone has a second vote."""
     other = school.open_class()
     tabs = [school.join(opened.code, voter_of("phone", opened.code.lower())) for _ in range(3)]
@@ -557,7 +557,7 @@ def test_lecturer_gets_a_class_during_a_flood_of_openings(school, opened, clock)
     assert school.code_of(opened.key)
 
 
-def test_a_network_opens_as_many_classes_as_it_gets_seats_and_is_forgotten(school, clock):
+def test_the_classes_of_a_network_are_limited_and_the_network_is_deleted(school, clock):
     for number in range(NETWORK_SEATS):
         school.open_class(address=f"2001:db8:0:7:{number:x}::1")
     with pytest.raises(CrowdError, match="60 classes were opened from your network"):
@@ -591,7 +591,7 @@ def test_unusable_file_raises_a_sentence(tmp_path):
     assert no_database.read_text().startswith("Nothing")
 
 
-def test_a_class_outlasts_an_upgrade_of_the_app(school, opened):
+def test_an_upgrade_of_the_app_preserves_a_class(school, opened):
     """The first schema had no number and lacked the columns of the second."""
     seat = school.join(opened.code)
     school.vote(seat, "faster", "plain")
@@ -606,7 +606,7 @@ def test_a_class_outlasts_an_upgrade_of_the_app(school, opened):
     assert school.code_of(opened.key)
 
 
-def test_a_deleted_or_damaged_file_takes_no_vote(school, opened):
+def test_a_deleted_or_damaged_file_accepts_no_vote(school, opened):
     """Temporary files may be deleted, and a disk may be full. Only stored votes are acknowledged."""
     path, seat = school._store.path, school.join(opened.code)
     for number in range(100):
@@ -630,7 +630,7 @@ def test_a_deleted_or_damaged_file_takes_no_vote(school, opened):
     assert answered(school, opened) == 1
 
 
-def test_the_file_is_where_the_environment_says_and_only_its_owner_reads_it(tmp_path, monkeypatch):
+def test_the_environment_sets_the_file_and_only_its_owner_can_read_it(tmp_path, monkeypatch):
     monkeypatch.setenv("RAMANUJAN_CLASSES", str(tmp_path / "here.sqlite"))
     classes.shared().open_class()
     assert {file.name.partition("-")[0] for file in tmp_path.iterdir()} == {"here.sqlite"}

@@ -41,7 +41,7 @@ def test_the_bound_of_an_error_is_accepted(radius):
 
 
 @pytest.mark.parametrize("spacing", [0.2, 0.1999, 0.05])
-def test_a_slab_that_tips_off_is_an_error_not_a_number(spacing):
+def test_a_slab_that_tips_raises_an_error(spacing):
     oscillator = Oscillator()
     for compression in (0.2, -0.2):
         with pytest.raises(ValueError, match="spacing must exceed the largest compression"):

@@ -60,7 +60,7 @@ def test_expired_answers_are_deleted_when_the_server_starts(hall: deployed) -> N
     assert expired == (0,)
 
 
-def test_visitors_are_spread_and_each_keeps_its_process(hall: deployed) -> None:
+def test_visitors_are_distributed_and_each_stays_in_one_process(hall: deployed) -> None:
     # The proxy checks every second whether a process is up, and prefers the one with fewer open connections.
     cookies: set[str | None] = set()
     for _ in range(240):
@@ -76,7 +76,7 @@ def test_visitors_are_spread_and_each_keeps_its_process(hall: deployed) -> None:
     assert cookie_of(hall, Cookie=f"{STORE}=third")
 
 
-def test_the_app_knows_a_visitor_by_the_address_that_the_proxy_has_seen(hall: deployed) -> None:
+def test_a_visitor_is_identified_by_the_address_from_the_proxy(hall: deployed) -> None:
     """The app ignores addresses in a visitor's headers: a hundred of them count as one network."""
     school = classes.Classes(f"{hall.state.name}/classes.sqlite")
     opened = school.open_class()
@@ -140,7 +140,7 @@ def test_over_https_a_first_visit_is_small(hall: deployed, chromium: object) -> 
     assert sum(sizes.get(number, 0) for number in sent) < 2.6e6
 
 
-def test_another_language_keeps_the_page_the_machine_and_the_options(hall: deployed, visit: Callable) -> None:
+def test_a_change_of_language_preserves_page_machine_and_options(hall: deployed, visit: Callable) -> None:
     hall.start("hungarian")
     wait_for_start(f"{hall.address}/hu")
     tab = visit("motion?m=2.5&mu=0.4", network=hall.address, figures=False)
@@ -155,9 +155,7 @@ def test_another_language_keeps_the_page_the_machine_and_the_options(hall: deplo
         assert tab.locator(".st-key-m input[type=range]").first.input_value() == "2.5"
 
 
-def test_a_class_votes_across_the_processes_and_one_that_is_killed_costs_nobody_what_they_set(
-    hall: deployed, visit: Callable
-) -> None:
+def test_a_killed_process_loses_no_vote_and_no_setting(hall: deployed, visit: Callable) -> None:
     visitors = [visit("lesson", network=hall.address, figures=False) for _ in range(2)]
     students = {process_of(tab): tab for tab in visitors}
     assert set(students) == {"first", "second"}

@@ -32,7 +32,7 @@ def test_a_step_consists_of_exact_equations_and_texts_without_results(name):
         assert not re.search(r"\d\d|\d\.\d|\\frac\{\d|\\sqrt", step.heading + step.reason), step.key
 
 
-def test_routes_and_steps_show_themselves_in_a_notebook():
+def test_routes_and_steps_are_displayed_in_a_notebook():
     route = ROUTES["energy"]
     shown = route._repr_markdown_()
     for step in route.steps:
@@ -66,7 +66,7 @@ def test_a_new_route_needs_one_file_and_one_line(monkeypatch):
 
 
 @pytest.mark.parametrize("name", ROUTES)
-def test_equal_masses_are_put_into_every_line_of_the_same_steps(name):
+def test_equal_masses_are_inserted_into_every_line(name):
     """Each step of the general machine has a counterpart, up to the condition on ε. No line contains m′."""
     general, equal = ROUTES[name], ROUTES.with_equal_masses(name)
     ratio = ("ratio", "unit", "root")
@@ -84,7 +84,7 @@ def test_equal_masses_are_put_into_every_line_of_the_same_steps(name):
 @pytest.mark.parametrize(
     ("roller_mass", "word"), [(2.0, "faster"), (UNIT_MASS_RATIO * 2, "in step"), (3.0, "more slowly")]
 )
-def test_the_condition_says_on_which_side_a_machine_is(roller_mass, word):
+def test_the_sign_of_the_condition_matches_the_frequency(roller_mass, word):
     numbers = replace(TWO_MASSES, m_prime=roller_mass)
     step = ROUTES["euler_lagrange"]["unit"]
     said = step.for_numbers(numbers)

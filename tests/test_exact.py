@@ -23,7 +23,7 @@ def shown(number: sp.Expr) -> str:
 
 @settings(deadline=None, max_examples=40)
 @given(st.integers(1, 10**30), st.integers(1, 10**30))
-def test_a_decimal_with_dots_is_cut_off_and_one_without_is_exact(p, q):
+def test_a_decimal_with_dots_is_truncated_and_one_without_is_exact(p, q):
     text = truncated(Number(p, q))
     digits = text.replace(r"\ldots", "").replace(r" \times 10^{", "e").rstrip("}")
     shown, exact = Fraction(digits), Fraction(p, q)
@@ -51,7 +51,7 @@ def test_a_rounded_decimal_is_near(p, q):
         (HALF / (15 * 10**6), r"3.3333333\ldots \times 10^{-8}"),
     ],
 )
-def test_how_a_number_looks(number, text):
+def test_a_number_is_printed_as_expected(number, text):
     assert shown(number) == text
 
 

@@ -88,14 +88,14 @@ def test_an_exercise_keeps_its_order_shows_no_key_and_ends_in_a_sheet(app):
         assert not [each for each in app.markdown if each.value.startswith("## 1.")]
 
 
-def test_the_lecturer_s_link_has_the_key(app):
+def test_the_lecturers_link_contains_the_key(app):
     asked = {"exercise": "block_momentum", "exercise_name": name_of(7)}
     opened(app, **asked, exercise_key=key_of(7))
     assert latex(shown_step("block_momentum")[0].rhs) in "".join(each.value for each in app.latex)
 
 
 @pytest.mark.parametrize("guess", [None, "on", key_of(8), key_of(7)[1:]])
-def test_a_guessed_link_has_no_key(app, guess):
+def test_a_guessed_link_shows_no_key(app, guess):
     asked = {"exercise": "block_momentum", "exercise_name": name_of(7)}
     opened(app, **asked | ({"exercise_key": guess} if guess else {}))
     assert not app.latex
@@ -123,7 +123,7 @@ def test_the_lecturer_composes_both_links_in_the_order_of_choice(app):
     assert worksheet_keys.name(lecturers.rpartition("=")[2]) == name
 
 
-def test_a_session_lists_what_has_been_solved(app):
+def test_a_session_lists_the_solved_questions(app):
     app.run()
     sound(app.switch_page("ramanujan/pages/derivation/page.py").run())
     for name in ("block_momentum", "kinetic_energy_block"):

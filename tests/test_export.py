@@ -75,7 +75,7 @@ def test_latex_is_a_whole_document_in_ascii(name, numbers):
 
 @pytest.mark.parametrize("numbers", [False, True])
 @pytest.mark.parametrize("name", ROUTES)
-def test_slides_hold_the_whole_route_and_no_frame_is_overfull(name, numbers):
+def test_slides_contain_the_whole_route_and_no_frame_is_overfull(name, numbers):
     """Without TeX, count environments, braces, labels, and the lines on a frame."""
     route = ROUTES[name]
     document = to_beamer(route, values_if(numbers), PICTURE)
@@ -94,14 +94,14 @@ def test_slides_hold_the_whole_route_and_no_frame_is_overfull(name, numbers):
     assert re.findall(r"\[label=(.*?)\]", alone) == wanted
 
 
-def test_the_environment_check_sees_what_is_wrong():
+def test_the_environment_check_detects_errors():
     assert not environments_nest(r"\begin{a}\begin{b}\end{a}\end{b}")
     assert not environments_nest(r"}{")
 
 
 @pytest.mark.skipif(ENGINE is None, reason="no pdflatex is installed")
 @pytest.mark.parametrize("name", ROUTES)
-def test_latex_compiles_and_nothing_sticks_out(name, tmp_path):
+def test_latex_compiles_without_overfull_lines(name, tmp_path):
     longest = OFF_THE_STEPS
     documents = [to_latex(ROUTES[name], values) for values in (None, longest)]
     for document in (*documents, to_beamer(ROUTES[name], longest, PICTURE)):
@@ -122,7 +122,7 @@ def code_cells(text: str) -> list[str]:
 
 
 @pytest.mark.parametrize("name", ROUTES)
-def test_a_notebook_needs_sympy_alone_and_no_cell_holds_a_result(name):
+def test_a_notebook_imports_only_sympy_and_contains_no_result(name):
     source = "\n".join(code_cells(to_notebook(ROUTES[name])))
     assert re.findall(r"^(?:import|from) .*", source, re.MULTILINE) == ["import sympy as sp"]
     # Numbers that belong to the bodies or to counting are small; coefficients of Ω² are not.
@@ -191,7 +191,7 @@ def test_a_notebook_refuses_a_wrong_frequency(kernel):
 
 @pytest.mark.parametrize("kind", ["latex", "markdown", "notebook"])
 @pytest.mark.parametrize("name", ROUTES)
-def test_every_file_carries_its_steps_and_the_list_of_symbols(name, kind):
+def test_every_file_contains_its_steps_and_the_list_of_symbols(name, kind):
     for numbers in (None, OFF_THE_STEPS):
         text = page.document.__wrapped__(name, numbers, kind)
         text = "\n".join(cell["source"] for cell in json.loads(text)["cells"]) if kind == "notebook" else text

@@ -19,7 +19,7 @@ DRAWN = {path.stem for path in (ROOT / "ramanujan" / "figures").glob("*.py")} & 
 """Pages with figures. The file with the page's name draws them."""
 
 
-def test_a_figure_is_sent_as_plotly_would_send_it() -> None:
+def test_a_figure_equals_plotlys_own_json() -> None:
     values = np.linspace(0, 1, 5, dtype=np.float32)
     trace, layout = {"type": "scatter", "x": values, "y": [1, 2, 3, 4, 5], "name": "line"}, {"height": 300}
     sent = plotly.io.to_json(drawn([trace], layout).to_dict(), validate=False)

@@ -78,7 +78,7 @@ def test_stability_limit(name):
 
 @pytest.mark.parametrize("name", ALL)
 @pytest.mark.parametrize("z", [0.1, 0.9])
-def test_symplectic_means_that_area_is_preserved(name, z):
+def test_symplectic_methods_preserve_area(name, z):
     area = np.linalg.det(step_matrix(name, z))
     if name in SYMPLECTIC:
         assert area == pytest.approx(1, abs=1e-14)  # a few rounding errors
@@ -100,7 +100,7 @@ def test_reversibility(name):
 @pytest.mark.parametrize("name", ALL)
 @pytest.mark.parametrize("dtype", [np.float32, np.float64])
 @pytest.mark.parametrize("per_run_step", [True, False])
-def test_dtype_and_shape_are_kept(name, dtype, per_run_step):
+def test_dtype_and_shape_are_preserved(name, dtype, per_run_step):
     q, v = np.ones((2, 3), dtype), np.zeros((2, 3), dtype)
     h = np.full((2, 3), 0.1, dtype) if per_run_step else 0.1
     for array in (q, v):

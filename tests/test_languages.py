@@ -73,6 +73,6 @@ def test_no_text_of_a_german_app_is_english():
     assert sum(bool(re.search(r"\d,\d", text)) for text in sent) > 30
 
 
-def test_an_english_sentence_is_found_by_its_words():
+def test_negative_control_an_english_sentence_is_detected():
     long = [text for each in template() if each.id for text in texts(each) if len(text.split()) > 7]
     assert sum(bool(ENGLISH.search(text)) for text in long) > 0.95 * len(long) > 500

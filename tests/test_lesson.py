@@ -197,7 +197,7 @@ def test_questions_and_hints_do_not_contain_the_explanation(entry):
         (bodies, "EQUAL", Oscillator(m=1.0, m_prime=0.1, k=10.0), "middle", "slab"),
     ],
 )
-def test_another_machine_gives_another_answer(monkeypatch, module, name, machine, stop, answer):
+def test_the_answer_depends_on_the_machine(monkeypatch, module, name, machine, stop, answer):
     monkeypatch.setattr(module, name, machine)
     assert lesson.stop(stop).answer() == answer
 
@@ -379,7 +379,7 @@ def test_every_task_can_be_done_and_missed(name):
         assert verdict.sentence.endswith((".", "?"))
 
 
-def test_tiny_share_of_energy_is_called_none():
+def test_a_negligible_share_of_energy_is_called_none():
     sentence = lesson.task("half-energy").judge(attempt(part=1 / 4)).sentence
     assert sentence.startswith("At that moment the spring holds none of the energy.")
 
@@ -402,7 +402,7 @@ DIRECTIONS = {r"\bapart\b": 1, r"\b(towards|together|meet)\b": -1}
 """Words of a sentence on two bodies → the sign of the change of their distance."""
 
 
-def test_slab_and_block_move_in_the_direction_that_every_sentence_says():
+def test_every_sentence_states_the_true_direction_of_slab_and_block():
     """Compute the motion until the spring is relaxed by a matrix exponential, for light and heavy rollers."""
     motion, turn = history()
     changes = []
@@ -424,7 +424,7 @@ def test_slab_and_block_move_in_the_direction_that_every_sentence_says():
     assert set(said) == {np.sign(changes[0])}
 
 
-def test_the_bodies_of_the_task_move_as_far_as_its_verdict_says():
+def test_the_verdict_states_the_true_displacements():
     motion, turn = history()
     start, end = motion(0), motion(turn / 2)
     block = abs(end[0] - start[0])
@@ -445,7 +445,7 @@ def test_the_short_lesson_states_the_equation_before_its_root():
     assert r"\Omega^2m" in exhibit
 
 
-def test_no_reply_names_the_number_that_the_question_asks_for():
+def test_no_reply_contains_the_requested_number():
     stop = lesson.stop("other-body")
     number = round(float((6 * root(top=0.4)) ** 2))  # ε = √n/6
     assert all(str(number) not in stop.reply(option) for option in stop.options if option != stop.answer())

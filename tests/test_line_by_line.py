@@ -164,7 +164,7 @@ M_clamped is only a name in the routes. No line contains its value.
 NAMED = re.compile(r"\\(times|div) ((?!M_{\\text).+)|\\text\{cancel \$(?!8)(.+)\$\}")
 
 
-def test_every_factor_that_is_named_is_the_one_between_two_lines():
+def test_every_named_factor_connects_two_lines():
     steps = {(name, step.key): step for name in ROUTES for step in ROUTES[name].steps}
     named = {
         (*key, place): match for key, step in steps.items() for place, said in enumerate(step.operations)
@@ -184,7 +184,7 @@ def test_every_factor_that_is_named_is_the_one_between_two_lines():
 
 
 @pytest.mark.parametrize(("masses", "key"), STEPS)
-def test_each_equation_follows_and_a_spoiled_one_does_not(masses, key):
+def test_each_equation_follows_and_an_altered_one_does_not(masses, key):
     follows = STEPS[masses, key]
     assert all(map(is_zero, follows(lines(masses))))
     for place in range(len(lines(masses)(key))):

@@ -37,7 +37,7 @@ def contrast(a: str, b: str) -> float:
 
 
 @pytest.mark.parametrize("theme", ["light", "dark"])
-def test_text_controls_and_words_in_a_body_s_colour_have_contrast_aa(theme):
+def test_text_and_controls_have_contrast_aa(theme):
     for ink in ("textColor", "primaryColor", *(f"{color}TextColor" for color in BODY_COLORS.values())):
         for paper in ("backgroundColor", "secondaryBackgroundColor"):
             assert contrast(THEME[theme][ink], THEME[theme][paper]) >= 4.5, ink
@@ -64,7 +64,7 @@ def differences(colors: list[str], model: str, deficiency: simulate.Deficiency |
 @pytest.mark.parametrize("theme", ["light", "dark"])
 @pytest.mark.parametrize("kind", ["Color", "TextColor"])
 @pytest.mark.parametrize("deficiency", [None, *simulate.Deficiency])
-def test_every_two_bodies_keep_apart_to_the_eye_of_the_colour_blind(theme, kind, deficiency):
+def test_the_colours_of_bodies_differ_for_colour_blind_readers(theme, kind, deficiency):
     colors = [THEME[theme][f"{color}{kind}"] for color in BODY_COLORS.values()]
     for model in EYES:
         apart = dict(zip(combinations(BODY_COLORS, 2), differences(colors, model, deficiency), strict=True))
@@ -73,7 +73,7 @@ def test_every_two_bodies_keep_apart_to_the_eye_of_the_colour_blind(theme, kind,
 
 @pytest.mark.parametrize("theme", ["light", "dark"])
 @pytest.mark.parametrize("deficiency", [None, *simulate.Deficiency])
-def test_every_method_has_a_colour_of_its_own_in_which_its_name_can_be_read(theme, deficiency):
+def test_every_method_has_a_distinct_readable_colour(theme, deficiency):
     methods = THEME[theme]["chartCategoricalColors"]
     assert len(methods) == len(METHODS)
     assert min(contrast(color, THEME[theme]["backgroundColor"]) for color in methods) >= 4.5
@@ -82,7 +82,7 @@ def test_every_method_has_a_colour_of_its_own_in_which_its_name_can_be_read(them
     assert min(differences([a, b], next(iter(EYES)), None)[0] for a in methods for b in bodies) >= 8
 
 
-def test_a_page_has_every_icon_that_the_app_draws():
+def test_the_icon_font_contains_every_icon():
     sources = [path.read_text(encoding="utf-8") for path in (ROOT / "ramanujan").rglob("*.py")]
     named = set(re.findall(r":material/(\w+):", "".join(sources))) | {page.icon for page in PAGES.values()}
     assert len(named) > 20

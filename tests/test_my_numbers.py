@@ -246,7 +246,7 @@ def plain(display: str) -> str:
 
 
 @pytest.mark.parametrize("given", [None, *machines()[:COUNT]], ids=str)
-def test_every_equation_that_is_shown_is_true(given):
+def test_every_shown_equation_is_true(given):
     lines = set(displayed(given))
     assert len(lines) > 120
     for *where, line in lines:
@@ -256,7 +256,7 @@ def test_every_equation_that_is_shown_is_true(given):
         assert Formula(left).names + Formula(right).names or left.startswith(r"\left|"), (where, line)
 
 
-def test_the_numbers_of_another_machine_are_noticed_in_every_step_that_has_any():
+def test_negative_control_numbers_of_another_machine_are_detected():
     """Negative control for the test above."""
     silent = {("euler_lagrange", "velocities"), ("newton", "rolling"), ("newton", "accelerations")}
     # These contain no mass. The zero modes do not depend on k, and equal masses fix Ω²m/k.
@@ -270,7 +270,7 @@ def test_the_numbers_of_another_machine_are_noticed_in_every_step_that_has_any()
     assert {(name, key) for name, key, *_ in shown} - noticed == silent
 
 
-def test_a_lost_bracket_is_noticed():
+def test_negative_control_a_lost_bracket_is_detected():
     (known,) = motions("newton", "frequency", False, (1.0, 2.0, 12.3))
     line = r"\ddot{\varphi} + \frac{492\,\varphi}{5\,\left(8 + 14 - \frac{216}{19}\right)} = 0"
     assert holds(line, known)
@@ -281,14 +281,14 @@ def test_a_lost_bracket_is_noticed():
 
 
 @pytest.mark.parametrize(("number", "entered"), [(0.86, "43/50"), (5 / 6, "5/6"), (1.2345678, "12345678/10000000")])
-def test_a_number_is_the_one_that_a_person_has_entered(number, entered):
+def test_a_number_is_read_as_entered(number, entered):
     assert set(Numbers(number, number, number).exact.values()) == {sp.Rational(entered)}
 
 
 # ε*
 
 
-def test_the_float_nearest_to_the_root_is_read_as_the_root_and_its_neighbours_are_not():
+def test_only_the_float_nearest_to_the_root_is_read_as_the_root():
     for mass in (0.5, 1.0, 3.7, 1.2345678):
         roller = UNIT_MASS_RATIO * mass
         assert is_unit_ratio(mass, roller)
@@ -298,7 +298,7 @@ def test_the_float_nearest_to_the_root_is_read_as_the_root_and_its_neighbours_ar
             assert Numbers(mass, other, 1.0).exact[m_prime].is_Rational
 
 
-def test_in_step_is_claimed_only_of_the_root():
+def test_only_the_root_is_called_in_step():
     step = ROUTES["euler_lagrange"]["root"]
 
     def lines(mass: float, roller: float) -> list[str]:

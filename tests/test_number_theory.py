@@ -254,7 +254,7 @@ def test_continued_fraction_against_sympy(machine):
 
 @unhurried
 @given(st.fractions(min_value=Fraction(1, 1000), max_value=10**6, max_denominator=1000), st.integers(1, 50))
-def test_continued_fraction_of_a_rational_root_ends_at_it(root, other):
+def test_the_continued_fraction_of_a_rational_root_is_finite(root, other):
     # (qε − p)(ε + other): one positive root p/q
     p, q = root.numerator, root.denominator
     assert nt.convergents(nt.continued_fraction(q, q * other - p, -p * other, 100))[-1] == root
@@ -282,7 +282,7 @@ def kinds(value: object) -> set[type]:
 
 
 @pytest.mark.parametrize("integer", [np.int64, sp.Integer])
-def test_integers_of_numpy_and_sympy_give_python_s_own(integer):
+def test_integers_of_numpy_and_sympy_are_accepted(integer):
     one, n, quadratic = integer(1), integer(1729), tuple(map(integer, PAPER))
     machine = nt.BodyChoice(target=one)
     given = [f(n) for f in (nt.factorization, nt.squarefree_part, nt.sums_of_two_cubes, nt.represent_x2_plus_3y2)]
@@ -310,7 +310,7 @@ def test_quadratics_without_exactly_one_positive_root_are_refused(quadratic):
             call(*quadratic, 5)
 
 
-def test_values_outside_their_range_are_refused_by_name():
+def test_the_error_for_a_value_outside_its_range_names_it():
     refused = [("digits", lambda: nt.positive_root_digits(*PAPER, 1001)), ("quotients", lambda: nt.convergents([1, 0]))]
     refused += [("top", lambda: nt.BodyChoice("hoop", "cylinder", "ball"))]
     for bad in (-1, 2, Fraction(-1, 9)):

@@ -35,7 +35,7 @@ def test_a_number_is_right_to_its_last_digit(digits):
 
 
 @pytest.mark.parametrize("digits", [1, 2, 5])
-def test_a_bound_is_on_its_own_side_and_less_than_a_digit_away(digits):
+def test_a_bound_is_rounded_outward_by_less_than_a_digit(digits):
     for value in (*VALUES, 0.1, 0.07, 130298.5, 5.36e-16):
         lower, upper = read(numerals.at_least(value, digits)), read(numerals.at_most(value, digits))
         assert lower <= value <= upper
@@ -47,7 +47,7 @@ def test_a_bound_is_on_its_own_side_and_less_than_a_digit_away(digits):
 
 
 @pytest.mark.parametrize("percent", [7, 29, 57, 113])
-def test_whole_percent_are_their_own_bound(percent):
+def test_whole_percentages_are_unchanged_bounds(percent):
     text = numerals.filled("{share:3↑ %}", share=percent / 100)
     assert text == numerals.filled("{share:3↓ %}", share=percent / 100)
     assert read(text.removesuffix("%").strip()) == percent
@@ -72,7 +72,7 @@ def test_every_kind_of_number_is_written(value, text):
     assert numerals.number(value) == text
 
 
-def test_a_thin_space_stands_before_a_unit_and_none_without_one():
+def test_a_thin_space_separates_a_number_from_its_unit():
     assert numerals.quantity(2.5, "cm") == "2.5\u202fcm"
     assert numerals.quantity(2.5, "") == "2.5"
     assert [numerals.duration(t) for t in (2.5, 2.5e-3, 2.5e-6, 2.5e-9, 2.5e-12)] == [
@@ -85,7 +85,7 @@ def test_a_thin_space_stands_before_a_unit_and_none_without_one():
 
 
 @pytest.mark.parametrize("mark", ".,")
-def test_the_page_writes_the_same_numbers(mark, monkeypatch):
+def test_the_page_and_python_write_the_same_numbers(mark, monkeypatch):
     monkeypatch.setattr(numerals, "DECIMAL", mark)
     _imports, script = modules.contents()["components/sentences.js"].decode().split('"./language.js";')
     script = f"const DECIMAL = '{mark}';{script}"

@@ -134,7 +134,7 @@ def test_a_line_has_the_order_of_a_textbook(place, line, numbers):
     assert lines(ROUTES[name], key, numbers)[number] == line
 
 
-def test_a_number_alone_and_a_bracket_behind_a_sign_keep_their_sign():
+def test_single_numbers_and_brackets_preserve_their_sign():
     one, other = sp.symbols("m k", positive=True)
     cases = {
         sp.Mul(2, -1, evaluate=False): "−2",
@@ -149,7 +149,7 @@ def test_a_number_alone_and_a_bracket_behind_a_sign_keep_their_sign():
         assert read(latex(expression)) == text, expression
 
 
-def test_a_term_keeps_its_place_on_the_lines_of_a_step():
+def test_a_term_has_the_same_place_on_all_lines_of_a_step():
     """Unknowns have the same order on adjacent lines that contain them."""
     for name, key, few in (
         ("euler_lagrange", "elimination", slice(1, 3)),

@@ -88,7 +88,7 @@ def test_an_oscillator_is_a_value():
         Oscillator().m = 2
 
 
-def test_an_oscillator_shows_itself_in_a_notebook():
+def test_an_oscillator_is_displayed_in_a_notebook():
     shown = Oscillator(1, UNIT_MASS_RATIO, 10)._repr_markdown_()
     assert "| k | stiffness of the spring | 10\u202fN/m |" in shown
     assert "| Ω²m/k | normalized frequency squared | 1 |" in shown

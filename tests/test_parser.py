@@ -179,7 +179,7 @@ def computed(text: str) -> Fraction:
 @example("-(1*(m+m))")
 @settings(deadline=None, max_examples=20_000 if DEEP else 200)
 @given(_FORMULAS.filter(lambda text: len(text) < MAX_LENGTH))
-def test_value_is_the_one_python_computes(text: str) -> None:
+def test_the_value_agrees_with_python(text: str) -> None:
     try:
         expected = computed(text)
     except ZeroDivisionError:

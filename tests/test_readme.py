@@ -37,7 +37,7 @@ def run(folder: Path, *command: str) -> subprocess.CompletedProcess:
     return subprocess.run(command, cwd=folder, env=environment, capture_output=True, text=True, check=False)
 
 
-def test_the_app_test_runs_by_the_printed_commands_in_a_folder_of_its_own(tmp_path):
+def test_the_app_test_runs_by_the_printed_commands(tmp_path):
     (tmp_path / "test_in_step.py").write_text(block("an app test"))
     done = run(tmp_path, "bash", "-c", block("run the app test"))
     assert "1 passed" in done.stdout, done.stdout[-2000:] + done.stderr[-2000:]
@@ -54,7 +54,7 @@ def test_an_older_python_stops_the_start_with_one_sentence(name):
         assert (done.returncode == 0) == (not sentence)
 
 
-def test_the_package_is_found_from_another_folder_by_the_lines_that_say_where_it_is(tmp_path):
+def test_the_printed_lines_import_the_package_from_another_folder(tmp_path):
     there = block("in a notebook elsewhere")
     here = there.splitlines()[-1]
     asks = "\nprint(Oscillator(1, 1, 1).normalized_frequency_squared)"
@@ -70,7 +70,7 @@ def test_the_lesson_takes_as_long_as_its_stops():
         assert f"{len(stops)} stops in {sum(stop.minutes for stop in stops)} minutes" in README
 
 
-def test_a_port_that_is_taken_is_named_before_the_app_is_imported():
+def test_an_occupied_port_is_named_before_the_app_is_imported():
     with socket.create_server(("127.0.0.1", 0)) as other:
         port = other.getsockname()[1]
         place = ("--server.address", "127.0.0.1", "--server.port", str(port), "--server.headless", "true")
@@ -82,7 +82,7 @@ def test_a_port_that_is_taken_is_named_before_the_app_is_imported():
     assert "sympy" not in done.stderr
 
 
-def test_a_language_that_is_not_known_stops_the_start_with_a_sentence():
+def test_an_unknown_language_stops_the_start_with_one_sentence():
     command = (sys.executable, "-m", "streamlit", "run", "app.py", "--server.port", "0", "--server.headless", "true")
     tlh = os.environ | {"RAMANUJAN_LANGUAGE": "tlh"}
     done = subprocess.run(command, cwd=ROOT, env=tlh, capture_output=True, text=True, timeout=60, check=False)

@@ -9,7 +9,7 @@ from tests import reference
 from tests.reference import equal
 
 
-def test_each_remark_holds_and_says_where_and_why():
+def test_each_remark_is_true_and_has_its_place_and_reason():
     for remark in remarks():
         assert remark.holds is True, remark
         for text in (remark.where, remark.printed, remark.correct, remark.note):
@@ -29,13 +29,13 @@ def test_each_remark_holds_and_says_where_and_why():
         ("last sentence", r"0, \  0, \  \Omega^{2}"),
     ],
 )
-def test_a_slip_of_the_paper_is_put_right(place, right):
+def test_a_slip_of_the_paper_is_corrected(place, right):
     (remark,) = (remark for remark in remarks() if place in remark.where)
     assert right in remark.correct + remark.note
     assert right not in remark.printed
 
 
-def test_the_conserved_momenta_are_those_of_the_two_zero_modes():
+def test_the_conserved_momenta_belong_to_the_zero_modes():
     momenta = {q: reference.lagrangian().diff(q.diff(t)) for q in COORDINATES}
     rates = {q: p.diff(t).subs(reference.accelerations()) for q, p in momenta.items()}
     assert [q for q, rate in rates.items() if equal(rate, sp.S.Zero)] == list(conserved_momenta())

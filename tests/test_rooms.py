@@ -104,7 +104,7 @@ assert "ramanujan.browser.stage" in sys.modules and "plotly" in sys.modules
     assert done.returncode == 0, done.stderr[-2000:]
 
 
-def test_every_page_of_the_list_is_warmed_up_also_one_that_is_no_package(tmp_path, monkeypatch):
+def test_every_listed_page_is_warmed_up(tmp_path, monkeypatch):
     (tmp_path / "another").mkdir()
     (tmp_path / "another" / "page.py").write_text("warm = []\n\n\ndef warm_up():\n    warm.append(True)\n")
     monkeypatch.setattr(ramanujan.pages, "__path__", [*ramanujan.pages.__path__, str(tmp_path)])
@@ -121,7 +121,7 @@ def test_every_page_of_the_list_is_warmed_up_also_one_that_is_no_package(tmp_pat
     assert sys.modules["ramanujan.pages.another.page"].warm == [True]
 
 
-def test_no_page_is_imported_by_the_shell_or_by_another_page(graph):
+def test_pages_import_no_other_page(graph):
     """The shell uses a list of pages. Code shared by two pages is in shell/sections."""
     wrong = []
     for module in graph.modules:

@@ -29,7 +29,7 @@ OTHER_BODIES = {
 
 
 @pytest.mark.parametrize("name", ROUTES)
-def test_every_route_ends_in_the_very_same_expression(name):
+def test_every_route_ends_in_the_same_expression(name):
     assert ROUTES[name].natural_frequency_squared == ROUTES["euler_lagrange"].natural_frequency_squared
     assert equal(ROUTES[name].natural_frequency_squared, reference.natural_frequency_squared())
     assert any(

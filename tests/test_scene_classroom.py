@@ -84,7 +84,7 @@ def test_a_class_at_localhost_shows_the_address_in_the_network_or_a_warning(monk
     assert f"{host or 'localhost'}:8501/lesson" in words(wall)
 
 
-def test_no_preset_tells_the_answer_before_the_class_has_seen_it():
+def test_presets_that_reveal_the_answer_are_hidden_until_it_is_shown():
     # The lecturer predicted the motion in an earlier lesson. This class has not.
     stop = lesson.stop("exactly")
     lecturer = press(visitor(stop=stop.id, chosen=f"exactly.{stop.answer()}"), "open")
@@ -110,7 +110,7 @@ def code_of(lecturer: AppTest) -> str:
     return address(lecturer)["class"]
 
 
-def test_a_round_with_a_second_vote_and_what_the_lecturer_takes_home(lecturer, school):
+def test_a_second_vote_is_shown_and_downloaded(lecturer, school):
     students = [visitor(**{"class": code_of(lecturer)}) for _ in range(3)]
     assert "The first question will appear here" in words(students[0])
     assert "3 students have joined" in words(lecturer.run())
@@ -191,7 +191,7 @@ def test_a_late_answer_gets_its_reason_and_does_not_count(lecturer, school):
     assert sum(school.distribution(code_of(lecturer), STOP.id).values()) == 1
 
 
-def test_who_cannot_vote_now_sees_the_own_vote_and_why(lecturer):
+def test_a_closed_vote_shows_the_own_vote_and_the_reason(lecturer):
     voter, late = (visitor(**{"class": code_of(lecturer)}) for _ in range(2))
     press(lecturer, "ask")
     answer(voter.run(), WRONG)
@@ -229,7 +229,7 @@ def test_the_expiry_is_in_the_time_zone_of_the_desk(monkeypatch):
         assert local_time.date_and_time(at) == date
 
 
-def test_nothing_that_reaches_a_student_holds_the_lecturers_key(lecturer):
+def test_no_student_receives_the_lecturers_key(lecturer):
     secret = address(lecturer)["lecturer"].partition("-")[2]
     student = visitor(**{"class": code_of(lecturer)})
     seen = [everything(student)]
@@ -268,14 +268,14 @@ def test_a_bad_code_gets_one_sentence_and_is_not_repeated(text):
         ({"lecturer": f"BCDFHJ-{'x' * 32}"}, "This lecturer’s address belongs to no class"),
     ],
 )
-def test_a_link_to_a_class_that_is_not_there_gets_one_sentence(link, start):
+def test_a_link_to_a_missing_class_gets_one_sentence(link, start):
     app = visitor(**link)
     [said] = [warning.value for warning in app.warning]
     assert said.startswith(start)
     assert STOP.question in words(app)
 
 
-def test_a_reload_of_another_page_loses_nobody(lecturer):
+def test_a_reload_on_another_page_preserves_the_role(lecturer):
     student = visitor("phone", **{"class": code_of(lecturer)})
     press(lecturer, "ask")
     answer(student.run(), RIGHT)
@@ -291,7 +291,7 @@ def test_a_reload_of_another_page_loses_nobody(lecturer):
         assert still in words(again.switch_page(PAGE).run())
 
 
-def test_a_session_has_one_seat_and_a_network_its_turn(lecturer, school, monkeypatch):
+def test_a_session_has_one_seat_and_a_full_network_waits(lecturer, school, monkeypatch):
     """Check this without a cookie. In a crowd, a student waits on a page that joins automatically."""
     student = visitor(**{"class": code_of(lecturer)})
     for _ in range(3):
@@ -308,7 +308,7 @@ def test_a_session_has_one_seat_and_a_network_its_turn(lecturer, school, monkeyp
     assert "3 students joined in the last minute" in words(lecturer.run())
 
 
-def test_the_desk_closes_the_door_and_a_phone_whose_seat_was_removed_takes_it_again(lecturer, school, monkeypatch):
+def test_the_desk_closes_the_class_and_a_removed_phone_joins_again(lecturer, school, monkeypatch):
     student = visitor(**{"class": code_of(lecturer)})
     press(lecturer, "bar")
     late = visitor(**{"class": code_of(lecturer)})
@@ -322,7 +322,7 @@ def test_the_desk_closes_the_door_and_a_phone_whose_seat_was_removed_takes_it_ag
     assert "1 student has joined" in words(lecturer.run())
 
 
-def test_a_class_that_has_ended_lets_everybody_go(lecturer):
+def test_the_end_of_a_class_releases_all_screens(lecturer):
     student = visitor(**{"class": code_of(lecturer)})
     press(lecturer, "close")
     assert not {"class", "lecturer"} & set(address(lecturer))
@@ -353,7 +353,7 @@ def test_the_server_deletes_expired_answers_again_and_again(tmp_path, monkeypatc
         thread.submit(asyncio.run, serve()).result(timeout=60)
 
 
-def test_without_its_file_the_lesson_goes_on(tmp_path, monkeypatch):
+def test_without_a_database_the_lesson_works(tmp_path, monkeypatch):
     (tmp_path / "file").touch()
     monkeypatch.setenv("RAMANUJAN_CLASSES", str(tmp_path / "file" / "classes.sqlite"))
     app = press(visitor(), "open")
@@ -370,7 +370,7 @@ def test_the_wall_shows_the_machine_that_the_lecturer_sets(lecturer):
     assert not [button for button in wall.button if button.key.startswith("class_")]
 
 
-def test_an_earlier_stop_is_looked_at_alone_until_the_class_is_taken_along(lecturer):
+def test_the_desk_can_view_an_earlier_stop_without_the_class(lecturer):
     student = visitor(**{"class": code_of(lecturer)})
     press(lecturer, "ask")
     answer(student.run(), WRONG)
@@ -387,7 +387,7 @@ def test_an_earlier_stop_is_looked_at_alone_until_the_class_is_taken_along(lectu
     assert student.radio[0].value is None
 
 
-def test_the_desk_goes_back_view_by_view_and_the_class_with_it(lecturer, school):
+def test_the_desk_takes_the_class_back_view_by_view(lecturer, school):
     """Use the two keys of a clicker, which work in every view. Going back opens no vote again."""
     student = visitor(**{"class": code_of(lecturer)})
 
@@ -416,7 +416,7 @@ def test_the_desk_goes_back_view_by_view_and_the_class_with_it(lecturer, school)
     assert school.question(code_of(lecturer)).stop == STOP.id != lecturer.session_state["stop"]
 
 
-def test_at_the_end_a_class_sees_what_it_has_learned_and_its_code_goes(lecturer, school):
+def test_at_the_end_the_class_sees_its_results_without_the_code(lecturer, school):
     students = [visitor(**{"class": code_of(lecturer)}) for _ in range(2)]
     code = code_of(lecturer)
     wall = visitor(**{"class": code, "wall": "on"})
@@ -451,7 +451,7 @@ def class_seat(student: AppTest) -> classes.Seat:
     return student.session_state["class_seat"]
 
 
-def test_a_class_at_a_stop_of_another_version_goes_on_with_the_lesson(lecturer, school):
+def test_a_class_at_an_unknown_stop_continues_the_lesson(lecturer, school):
     """The desk shows the first stop. Phone and wall wait for the first question. The votes are preserved."""
     code, key = code_of(lecturer), address(lecturer)["lecturer"]
     school.ask(key, "stop-of-another-version", ["yes", "no"])
@@ -474,7 +474,7 @@ def test_a_class_at_a_stop_of_another_version_goes_on_with_the_lesson(lecturer, 
     assert [(row["option"], row["first_vote"], row["right"]) for row in rows] == [("yes", "0", ""), ("no", "1", "")]
 
 
-def test_desk_and_phone_name_what_is_stored_and_until_when(school):
+def test_desk_and_phone_describe_the_stored_data(school):
     app = visitor()
     app.selectbox(key="class_kept").set_value(30 * classes.DAY).run()
     before = datetime.now(UTC) + timedelta(days=30)

@@ -74,7 +74,7 @@ def test_reading_shows_every_step_of_a_route_and_numbers_end_in_the_present_freq
     assert len(displays(page)) == len(ROUTES[name].steps) + 6
 
 
-def test_a_lecture_holds_every_step_of_its_route_for_the_page_to_turn(page):
+def test_a_lecture_contains_every_step_of_its_route(page):
     for name, title in TITLES.items():
         choose(page, route=name)
         wanted = [step.heading for step in ROUTES[name].steps]
@@ -85,7 +85,7 @@ def test_a_lecture_holds_every_step_of_its_route_for_the_page_to_turn(page):
         assert title
 
 
-def test_moving_a_slider_derives_nothing_again(page, monkeypatch):
+def test_moving_a_slider_repeats_no_derivation(page, monkeypatch):
     def fail(*_, **__):
         raise AssertionError("derived again")
 
@@ -100,7 +100,7 @@ def test_moving_a_slider_derives_nothing_again(page, monkeypatch):
         energy.build(machine())
 
 
-def test_all_routes_meet_in_one_result_and_each_has_a_tick_that_leads_to_it(page):
+def test_all_routes_have_one_result_and_a_link_with_a_check_mark(page):
     assert latex(ROUTES["newton"].natural_frequency_squared) in formulas(page)
     assert formulas(page).count(r"\frac{1040}{99}") == 1
     links = [link.proto for link in page.get("page_link") if "route=" in link.proto.query_string]
@@ -123,7 +123,7 @@ def test_the_terms_of_all_parts_add_up_to_the_equation(name):
 
 
 @pytest.mark.parametrize("numbers", [None, Numbers(1.0, 1.0, 10.0)], ids=["symbols", "numbers"])
-def test_what_belongs_to_a_part_has_its_ink_and_nothing_else(numbers):
+def test_only_the_symbols_of_a_part_have_its_colour(numbers):
     inks = tuple((part, f"#{n}{n}{n}{n}{n}{n}") for n, part in enumerate(PARTS, start=1))
     shown = {
         (name, step.key): cache.step(name, number, numbers, (*inks, ("cube", "#777777")))[2]
@@ -148,7 +148,7 @@ def test_what_belongs_to_a_part_has_its_ink_and_nothing_else(numbers):
 # Modes and notes
 
 
-def test_three_modes_and_the_momenta_of_the_two_that_do_not_swing(page):
+def test_three_modes_and_two_conserved_momenta_are_shown(page):
     assert formulas(page).count("v =") == 3
     assert r"p_{X} &=" in formulas(page)
     assert r"p_{\Phi} &=" in formulas(page)
@@ -180,7 +180,7 @@ def test_each_line_names_the_operation_that_leads_to_it(page):
                 assert any(said.operations), (way.title, step.key)
 
 
-def test_whoever_types_a_result_first_sees_it_when_it_is_right(page):
+def test_a_typed_result_is_shown_once_it_is_right(page):
     assert formulas(page).count("p_{X} &=") == 2
     page.toggle(key="first_euler_lagrange_block_momentum").set_value(True).run()
     assert formulas(page).count("p_{X} &=") == 1
@@ -213,7 +213,7 @@ def test_every_question_can_be_asked(page):
         assert any(question_of(question).prompt() in text.value for text in page.markdown), question
 
 
-def test_what_is_read_is_shown_as_it_was_typed(page):
+def test_a_typed_formula_is_displayed_as_parsed(page):
     for text in ("(m/m)^(-2)", "k/(m/m)^(-2)", "(√(R/R))^(-12)", "1/0"):
         answer(page, "potential_energy", text)
         assert questions.as_parsed(text) in formulas(page), text

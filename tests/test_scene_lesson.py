@@ -106,7 +106,7 @@ def sentences(text: str) -> set[str]:
 
 
 @pytest.mark.parametrize("name", IDS if os.environ.get("RAMANUJAN_DEEP") else [i for i in IDS if i not in ALIKE])
-def test_a_stop_reveals_nothing_before_its_machine_runs_and_no_answer_before_the_reader_asks(opened, name):
+def test_a_stop_reveals_its_motion_and_its_answer_only_on_request(opened, name):
     stop = lesson.stop(name)
     wrong = other_than(stop)
     reply, right = stop.reply(wrong), stop.options[stop.answer()]
@@ -190,7 +190,7 @@ def test_the_observed_machines_are_those_of_the_stop(opened):
     assert [key for each in (glides, rolls) for key, value in each["initial"].items() if value] == ["X_dot", "Phi_dot"]
 
 
-def test_the_sliders_hold_the_machine_of_the_stop_and_can_be_moved(opened):
+def test_the_sliders_have_the_machine_of_the_stop_and_can_be_moved(opened):
     app = opened(stop="heavy-rollers")
     assert app.slider(key="m_prime").value == 5.0
     sound(app.slider(key="m_prime").set_value(4.0).run())
@@ -233,7 +233,7 @@ def test_hints_come_one_by_one(opened):
     assert "hint_two-clocks" not in [button.key for button in app.button]
 
 
-def test_the_short_lesson_has_six_stops_and_an_end_that_says_what_was_answered(opened):
+def test_the_short_lesson_has_six_stops_and_an_end_with_the_answers(opened):
     short = [stop for stop in lesson.STOPS if stop.short]
     assert len(short) == 6
     assert sum(stop.minutes for stop in short) <= 20
@@ -256,7 +256,7 @@ def test_the_short_lesson_has_six_stops_and_an_end_that_says_what_was_answered(o
 # The parameters of the address
 
 
-def test_a_link_with_a_machine_keeps_it_and_a_visitor_from_another_page_gets_that_of_the_stop(app):
+def test_a_link_preserves_its_machine_and_other_visitors_get_the_machine_of_the_stop(app):
     app.query_params["m_prime"] = "0.3"
     app.query_params["stop"] = "light-rollers"
     sound(app.run())
@@ -269,7 +269,7 @@ def test_a_link_with_a_machine_keeps_it_and_a_visitor_from_another_page_gets_tha
 
 
 @pytest.mark.parametrize("name", [task.id for task in lesson.TASKS])
-def test_every_task_is_judged_as_it_opens_unless_something_has_to_be_typed(opened, name):
+def test_every_task_without_a_text_box_is_judged_when_it_opens(opened, name):
     app = opened(part="tasks", task=name)
     assert app.title[0].value == lesson.task(name).heading
     waits = not {"part", "seconds", "formula"}.isdisjoint(lesson.task(name).fields)
@@ -282,7 +282,7 @@ def done(app) -> bool:
     return any("**Done.**" in text.value for text in sound(app).markdown)
 
 
-def test_tasks_are_done_with_the_controls_of_the_page(opened):
+def test_tasks_can_be_completed_with_the_controls_of_the_page(opened):
     app = opened(part="tasks", task="in-step")
     assert not done(app)
     assert done(app.slider(key="m_prime").set_value(1.1275).run())

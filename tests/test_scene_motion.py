@@ -79,7 +79,7 @@ def test_the_stage_marks_the_slipping_contact_only_beyond_the_model(monkeypatch,
     assert given[-1]["slipping"] is None
 
 
-def test_the_bars_are_the_friction_needed(app):
+def test_the_bars_show_the_required_friction(app):
     open_page(app, m_prime=3.0, mu=0.05, figure="forces")
     (bars,) = (figure for alt, figure in charts(app).items() if "that each contact needs" in alt)
     machine = Oscillator(1.0, 3.0, 10.0, 0.1)
@@ -151,7 +151,7 @@ def test_all_figures_over_time_share_one_axis_and_one_hover():
         assert ends == {round(layout["meta"]["period"] * cache.PERIODS, 9)}
 
 
-def test_without_a_push_the_orbits_close_and_with_one_only_the_slab_still_does():
+def test_orbits_close_without_an_initial_velocity():
     closed = {}
     for push in (0.0, 0.1):
         _, plane = figures("displacements", 1.0, 1.0, 10.0, 0.1, 0.08, push, 10 * push)
@@ -162,7 +162,7 @@ def test_without_a_push_the_orbits_close_and_with_one_only_the_slab_still_does()
 
 
 @pytest.mark.parametrize(("compression", "end"), [(0.08, 0.0), (-0.08, 0.5)])
-def test_friction_is_greatest_where_the_hoop_carries_least(compression, end):
+def test_the_greatest_friction_is_at_the_least_load(compression, end):
     # Released from a stretched spring, the slab relieves the hoop half a period later.
     machine = Oscillator(1.3, 0.7, 25.0, 0.12)
     motion = record(machine, compression, spacing=0.338, periods=2, points=401)
@@ -171,7 +171,7 @@ def test_friction_is_greatest_where_the_hoop_carries_least(compression, end):
     assert instant == pytest.approx(end * machine.period, abs=1e-9)
 
 
-def test_the_pointer_reads_each_body_with_its_displacement_and_its_frame():
+def test_the_hover_text_names_body_displacement_and_frame():
     """Plotly appends the name of a curve, with a space before the colon, unless the template replaces it."""
     figure, *_ = figures("displacements", *CORNERS[3])
     texts = [trace["hovertemplate"] for trace in figure["data"]]

@@ -92,7 +92,7 @@ def test_six_steps_show_their_results_without_a_click_and_nothing_twice(app):
     assert told.index(r"\varepsilon &= 1 ") > told.rindex("### Your machine")
 
 
-def test_the_page_says_in_words_whether_the_machine_is_in_step(app):
+def test_the_page_states_whether_the_machine_is_in_step(app):
     app.run()
     for key, value in (("m", 2.3), ("m_prime", 5.0), ("k", 37.0)):
         app.slider(key=key).set_value(value)
@@ -147,7 +147,7 @@ def test_presets_choose_round_values_in_range_and_their_ratio(app, preset):
         assert "1.127" not in derivation
 
 
-def test_heavy_rollers_let_m_give_way_where_m_prime_cannot_grow(app):
+def test_a_preset_lowers_m_if_m_prime_would_exceed_its_range(app):
     app.run()
     app.slider(key="m").set_value(5.0).run()
     app.pills(key="preset").set_value("heavy").run()
@@ -160,7 +160,7 @@ def test_heavy_rollers_let_m_give_way_where_m_prime_cannot_grow(app):
 
 
 @pytest.mark.parametrize(("moved", "kept"), [(1.0, 0.1), (3.0, 3.0)])
-def test_a_message_that_is_older_than_a_preset_takes_nothing_back(app, moved, kept):
+def test_an_old_message_does_not_undo_a_preset(app, moved, kept):
     """The message contains the old m′, unless the user has moved that slider since."""
     app.run()
     app.pills(key="preset").set_value("light").run()
@@ -174,7 +174,7 @@ def test_a_message_that_is_older_than_a_preset_takes_nothing_back(app, moved, ke
     assert values(app)["m_prime"] == moved
 
 
-def test_an_exact_entry_takes_numbers_and_fractions(app):
+def test_a_box_accepts_numbers_and_fractions(app):
     app.run()
     for text, number in {"9/8": 1.125, " 2 ": 2.0, "1,5": 1.5, "1e0": 1.0, "4.5/3": 1.5}.items():
         sound(type_in(app, "m", text))
@@ -237,7 +237,7 @@ def test_where_the_decimal_mark_is_a_comma_a_point_may_separate_thousands(langua
     assert literal_eval(done.stdout) == [("12,500", "12500"), None, None, None, None]
 
 
-def test_a_fraction_belongs_into_a_box_and_not_into_a_link(app):
+def test_a_fraction_in_a_link_is_refused(app):
     app.query_params.update({"m": "9/8", "k": "20"})
     sound(app.run())
     assert values(app) == {**DEFAULTS, "k": 20.0}
@@ -245,7 +245,7 @@ def test_a_fraction_belongs_into_a_box_and_not_into_a_link(app):
     assert warning.value == "The value of m in the address was ignored: it must be a number from 0.5 to 5\u202fkg."
 
 
-def test_a_good_link_is_taken_to_the_last_digit(app):
+def test_a_link_is_read_to_the_last_digit(app):
     wanted = {"m": 1.75, "m_prime": UNIT_MASS_RATIO, "k": 12.3456789, "compression": math.pi, "radius": 7.25}
     for key, value in wanted.items():
         app.query_params[key] = repr(value)
@@ -254,7 +254,7 @@ def test_a_good_link_is_taken_to_the_last_digit(app):
 
 
 @pytest.mark.parametrize("parameter", PARAMETERS.values(), ids=PARAMETERS)
-def test_a_slider_shows_every_step_that_it_takes(parameter):
+def test_a_slider_displays_every_step(parameter):
     steps = (parameter.most - parameter.least) / parameter.step
     assert steps == pytest.approx(round(steps))
     for n in range(5):

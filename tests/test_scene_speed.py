@@ -91,7 +91,7 @@ def test_phase_error_is_that_of_the_midpoint_rule(app):
     assert f"of a full turn behind** ({number(late)}\u202frad)" in words(app)
 
 
-def test_measures_shares_and_measures_again(app):
+def test_measurements_are_shared_and_repeated_on_request(app):
     page(app)
     app.button(key="measure").click().run()
     curves = cache.diagram(1)
@@ -138,7 +138,7 @@ def test_measuring_shows_progress_and_can_be_stopped(app, monkeypatch):
     assert "Press the button" in words(app)
 
 
-def test_a_method_whose_error_falls_faster_than_its_order_says_why(app):
+def test_an_error_that_falls_faster_than_the_order_is_explained(app):
     page(app, periods="30").button(key="measure").click().run()
     largest = []
     for n in (96, 192):
@@ -157,7 +157,7 @@ def test_a_method_whose_error_falls_faster_than_its_order_says_why(app):
     assert "twice as many steps" not in words(app)
 
 
-def test_says_what_the_paper_form_returns_at_the_edge(app):
+def test_the_result_of_the_papers_form_at_the_edge_is_stated(app):
     page(app, sweep="scale_float64")
     s = 1e-200
     wrong = 8 * s / (7 * s + 8 * s - 8 * (s + s) ** 2 / (7 * s / 3 + 2 * s))
@@ -209,7 +209,7 @@ def test_the_challenge_shows_the_methods_after_a_try_and_judges_as_the_lesson_do
 # ---- simultaneous visitors
 
 
-def test_what_a_class_wants_at_once_is_worked_out_once_and_seconds_one_after_the_other(monkeypatch):
+def test_simultaneous_requests_share_one_computation_and_measurements_take_turns(monkeypatch):
     worked, under_way, usual = [], [], sys.getswitchinterval()
 
     def work(*curve, previous, after_block):
@@ -238,7 +238,7 @@ def test_what_a_class_wants_at_once_is_worked_out_once_and_seconds_one_after_the
 # ---- figures
 
 
-def test_a_strip_says_where_its_form_is_right_and_what_it_returns_elsewhere(app):
+def test_a_strip_shows_where_its_form_is_right_and_its_other_results(app):
     app.run()
     sweeps = [s for s in extremes() if (s.along, s.dtype) == ("scale", "float64")]
     strips = {FORMS[sweep.form].title: verdicts.strip(sweep) for sweep in sweeps}
@@ -287,7 +287,7 @@ def fresh():
     cache.forget_seconds()
 
 
-def test_float32_is_said_to_lose_the_phase_between_the_decades_where_it_does():
+def test_the_stated_loss_of_phase_in_float32_is_true():
     """This machine loses the phase at 3·10⁶ periods. The test computes in float32 between the decades."""
     machine = Oscillator(k=10.0)
     omega, periods = machine.natural_frequency, 10.0 ** np.linspace(0, 9, 2001)
@@ -299,7 +299,7 @@ def test_float32_is_said_to_lose_the_phase_between_the_decades_where_it_does():
     assert f"between {power_of_ten(before)} and {power_of_ten(after)} periods" in sentence
 
 
-def test_the_price_of_exactness_stands_beside_what_the_app_uses(app):
+def test_the_cost_of_exact_arithmetic_is_listed(app):
     app.session_state["fold_choices"] = True
     text = next(each.value for each in page(app).markdown if "of a machine, and" in each.value)
     own = next(line for line in text.splitlines() if "of a machine, and" in line)

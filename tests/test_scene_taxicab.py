@@ -46,7 +46,7 @@ def smallest_in_two_ways() -> int:
     return min(n for n, ways in sums.items() if ways == 2)
 
 
-def test_the_number_of_the_page_is_searched_not_stated(page: AppTest) -> None:
+def test_the_taxicab_number_is_computed(page: AppTest) -> None:
     assert not page.exception
     number = smallest_in_two_ways()
     assert page.title[0].value == str(number)
@@ -55,7 +55,7 @@ def test_the_number_of_the_page_is_searched_not_stated(page: AppTest) -> None:
 
 
 @pytest.mark.parametrize("digits", [1, 100, 1000])
-def test_as_many_digits_as_asked_for(page: AppTest, digits: int) -> None:
+def test_the_requested_number_of_digits_is_shown(page: AppTest, digits: int) -> None:
     assert not page.code
     opened(page).number_input(key="digits").set_value(digits).run()
     with mpmath.workdps(digits + 20):
@@ -66,7 +66,7 @@ def test_as_many_digits_as_asked_for(page: AppTest, digits: int) -> None:
     assert len(page.code[0].value) == digits + 2
 
 
-def test_each_practical_ratio_with_the_error_that_it_leaves(page: AppTest) -> None:
+def test_each_practical_ratio_has_its_error(page: AppTest) -> None:
     rows = re.findall(
         r"\| \$(\d+)/(\d+)\$ \| \$\{(-?\d+)/(\d+)\\approx.*?\$ \| ([\d\u202f]+) periods?", words(opened(page))
     )
@@ -128,7 +128,7 @@ def test_a_target_and_its_norm(page: AppTest, p: int, q: int) -> None:
     assert float(normalized_frequency_squared(float(root))) == pytest.approx(float(w), rel=1e-12)
 
 
-def test_norms_multiply_as_the_page_says(page: AppTest) -> None:
+def test_norms_are_multiplicative(page: AppTest) -> None:
     names = {name: sp.Symbol(name) for name in "abcdxy"}
     shown = {formula.value.strip("$\n ") for formula in page.latex}
     for text in (cache.norm_multiplied_out(), cache.product_of_norms()):
@@ -154,7 +154,7 @@ def test_a_target_out_of_reach_gets_one_sentence_and_the_last_good_one_stays(pag
     assert "3/2 is shown." in page.warning[0].value
 
 
-def test_the_identity_of_the_norm_holds_for_every_target() -> None:
+def test_the_identity_of_the_norm_is_true_for_every_target() -> None:
     p, q = sp.symbols("p q")
     text = cache.norm_identity().replace(r"\begin{aligned}", "").replace(r"\end{aligned}", "")
     text = re.sub(r"\\\\|\\quad|\\,|&", " ", text).replace(r"\cdot", "*").replace("^", "**")
@@ -163,7 +163,7 @@ def test_the_identity_of_the_norm_holds_for_every_target() -> None:
     assert sp.expand(left - right) == 0
 
 
-def test_a_hoop_and_a_cylinder_are_enough_for_the_norm_whatever_is_on_top() -> None:
+def test_the_norm_does_not_depend_on_the_top_body() -> None:
     def primes(left: str, right: str) -> set[int]:
         targets = [Fraction(p, q) for p in range(1, 12) for q in range(8, 12)]
         numbers = [BodyChoice(left, right, top, w) for top in BODIES for w in targets if w < Fraction(5, 3)]
@@ -218,6 +218,6 @@ def test_labels_of_the_curve_stay_on_the_figure_at_every_target() -> None:
         assert 20 <= height <= 270 - 10
 
 
-def test_no_equation_stands_twice():
+def test_no_equation_is_shown_twice():
     equations = cache.unit_equations()
     assert len(set(equations)) == len(equations) > 3

@@ -47,7 +47,7 @@ def test_a_link_hides_parts_of_the_first_page(app):
     assert not any("hand" in each.value for each in app.markdown)
 
 
-def test_nothing_is_hidden_without_being_asked_for(app):
+def test_by_default_nothing_is_hidden(app):
     """Negative control: without `hide`, the same page contains all parts."""
     opened(app, **LINK)
     assert "hide" not in published(app)["machine/oscillator"]
@@ -56,7 +56,7 @@ def test_nothing_is_hidden_without_being_asked_for(app):
 
 
 @pytest.mark.parametrize("path", ["derivation", "motion", "taxicab", "speed"])
-def test_what_is_hidden_stays_hidden_and_in_the_address_on_every_page(app, path):
+def test_hidden_parts_remain_hidden_on_every_page(app, path):
     opened(app, hide="clocks,numbers,curve")
     sound(app.switch_page(f"ramanujan/pages/{path}/page.py").run())
     assert app.query_params["hide"] == "clocks,numbers,curve"
@@ -66,14 +66,14 @@ def test_what_is_hidden_stays_hidden_and_in_the_address_on_every_page(app, path)
     assert not any("Ω²m/k" in str(each.proto) for each in app.get("plotly_chart"))
 
 
-def test_every_part_can_be_hidden_alone_and_all_at_once(app):
+def test_parts_can_be_hidden_one_by_one_and_all_at_once(app):
     opened(app, hide=",".join(PARTS))
     assert not app.warning
     assert not app.get("plotly_chart")
     assert len(app.markdown) < 5
 
 
-def test_reset_returns_to_what_the_link_set(app):
+def test_reset_restores_the_settings_of_the_link(app):
     opened(app, m_prime="2.5", k="20")
     linked = {**DEFAULTS, "m_prime": 2.5, "k": 20.0}
     for key, control in PARAMETERS.items():
@@ -90,7 +90,7 @@ def test_reset_returns_to_what_the_link_set(app):
     assert values(sound(app)) == linked
 
 
-def test_reset_does_not_return_to_what_the_link_got_wrong(app):
+def test_reset_ignores_invalid_settings_of_the_link(app):
     opened(app, m="0", k="20")
     app.slider(key="m").set_value(3.0).run()
     app.pills(key="preset").set_value("reset").run()
@@ -112,7 +112,7 @@ def said(app) -> list[str]:
         ("speed", ["compression"]),
     ],
 )
-def test_a_slider_that_changes_nothing_but_the_machine_s_motion_is_folded_and_keeps_its_value(app, path, folded):
+def test_a_folded_slider_preserves_its_value(app, path, folded):
     held = {"k": 33.0, "compression": 3.0}
     opened(app, **{key: str(value) for key, value in held.items()})
     sound(app.switch_page(f"ramanujan/pages/{path}/page.py").run())
@@ -128,7 +128,7 @@ def test_a_slider_that_changes_nothing_but_the_machine_s_motion_is_folded_and_ke
 
 
 @pytest.mark.parametrize("path", ["oscillator", "derivation", "motion", "taxicab", "speed"])
-def test_after_a_slider_a_page_says_what_its_address_says(app, path, monkeypatch):
+def test_after_a_slider_the_page_agrees_with_its_address(app, path, monkeypatch):
     """AppTest returns the whole page after every change. In a browser only the redrawn parts change."""
 
     def shown(app, **machine: str) -> AppTest:

@@ -19,7 +19,7 @@ SOURCES = {
 }
 
 
-def test_every_name_is_known_to_streamlit_s_page():
+def test_every_selector_matches_streamlits_page():
     used = {first or second for text in SOURCES.values() for first, second in _NAME.findall(text)}
     assert len(used) > 10
     scripts = (Path(streamlit.__file__).parent / "static" / "static" / "js").glob("*.js")
@@ -29,6 +29,6 @@ def test_every_name_is_known_to_streamlit_s_page():
     assert "is_history_navigation" in {field.name for field in fields(ScriptRunContext)}
 
 
-def test_the_names_stand_in_the_files_that_upgrading_lists():
+def test_the_selectors_are_in_the_files_that_upgrading_lists():
     listed = _TABLE_ROW.findall((ROOT / ".github" / "upgrading.md").read_text(encoding="utf-8"))
     assert listed == sorted(name for name, text in SOURCES.items() if _NAME.search(text) or _INSIDE.search(text))

@@ -123,7 +123,7 @@ def test_the_motion_conserves_energy_and_both_momenta():
 
 
 @pytest.mark.parametrize("t", 10.0 ** np.arange(-150, 0, 21))
-def test_a_short_time_after_a_release_the_block_keeps_its_digits(t):
+def test_shortly_after_a_release_the_block_has_full_precision(t):
     machine = core.Oscillator(1.3, 0.7, 25.0, 0.12)
     shape, squared = true("mode shape", machine), true("frequency squared", machine)[0]
     initial = core.released(machine, 0.08)
@@ -134,7 +134,7 @@ def test_a_short_time_after_a_release_the_block_keeps_its_digits(t):
     assert abs(Phi / (shape[2] * fallen) - 1) < 4e-15
 
 
-def test_the_loads_and_the_friction_that_the_contacts_need():
+def test_loads_and_required_friction():
     rng = np.random.default_rng(5)
     for machine in machines(30, 3):
         A, g = machine.radius * rng.uniform(0.1, 2), rng.uniform(1, 20)

@@ -57,7 +57,7 @@ def name_of(call: ast.Call) -> str:
 # The catalogue
 
 
-def test_the_template_holds_every_message_and_each_is_a_literal():
+def test_the_template_contains_every_message():
     """Extraction tools skip messages that are not literals, and the expressions of f-strings."""
     # The template contains each message once, with all its places.
     extracted = Counter(file for file, _line in {place for message in messages() for place in message.locations})
@@ -186,7 +186,7 @@ def test_the_translation_of_an_edited_sentence_is_shown_and_listed_as_fuzzy(tmp_
         assert translations("de").gettext(today) == translation
 
 
-def test_a_lost_slot_formula_or_mark_is_found():
+def test_negative_control_a_lost_slot_formula_or_mark_is_detected():
     english = "**{n:3 s}** is $x = 0.5\\,\\text{turns}$, `k` <b>m</b> [here](page) &nbsp; :material/check:"
     hungarian = "$x = 0{,}5\\,\\text{fordulat}$ &nbsp; **{n:3 s}**: :material/check: <b>m</b>, `k` [itt](page)"
     assert not difference(english, hungarian)
@@ -202,7 +202,7 @@ NUMERIC = CORE | {"number_theory"}
 """Rooms with errors for programmers, which are English in every language."""
 
 
-def test_no_error_is_glued_together():
+def test_no_error_message_is_concatenated():
     """The text of each visible error, including the parser's, is a gettext template."""
     for path, tree in sources():
         is_numeric = path.relative_to(PACKAGE).parts[0].removesuffix(".py") in NUMERIC
@@ -216,7 +216,7 @@ def test_no_error_is_glued_together():
 # Style
 
 
-def test_every_sentence_is_set_well_and_short():
+def test_every_sentence_is_short_and_well_punctuated():
     for text in every_text():
         prose = _FORMULA.sub("x", text)
         # The apostrophe is ’, the dash –.
@@ -296,7 +296,7 @@ def spoken(name: str, text: str) -> list[str]:
     return re.findall(pattern, text)
 
 
-def test_no_words_for_people_stand_in_a_script_or_in_html():
+def test_no_visible_words_are_in_scripts_or_html():
     assert spoken("a.js", 'node.textContent = "Both hands start together."')
     assert spoken("a.html", "<button>Copy link</button>")
     assert {name: found for name, text in scripts().items() if (found := spoken(name, text))} == {}

@@ -58,7 +58,7 @@ def test_the_key_and_each_line_of_its_working_give_the_core_s_numbers(machine):
     assert parting.answer.startswith("Neither" if faster == 0 else "Faster" if faster > 0 else "Slower")
 
 
-def test_a_decimal_is_said_to_be_equal_only_where_it_is():
+def test_only_exact_decimals_have_an_equals_sign():
     shown = [
         re.search(r"m/k=(.*)\$", questions(Oscillator(1.0, m_prime, 10.0), "1")[-5].answer)[1]
         for m_prime in (5 / 6, 1.0, 62 / 55)
@@ -67,7 +67,7 @@ def test_a_decimal_is_said_to_be_equal_only_where_it_is():
 
 
 @pytest.mark.parametrize(("m_prime", "verdict"), [(1.12725682701621, "Faster"), (1.1272568270162111, "Slower")])
-def test_the_key_tells_who_is_ahead_however_close_to_the_unit_ratio(m_prime, verdict):
+def test_the_key_names_the_faster_machine_near_the_unit_ratio(m_prime, verdict):
     """The float of Ω²m/k may round to 1, although the machine is not in step."""
     answer = questions(Oscillator(1.0, m_prime, 10.0), "1")[-2].answer
     assert answer.startswith(verdict)
@@ -174,7 +174,7 @@ def number_of(latex: str, **values: float) -> mpmath.mpf:
 
 
 @pytest.mark.parametrize("seed", list("1234"))
-def test_the_frequency_that_is_asked_for_is_had_at_the_ratio_of_the_key(seed):
+def test_the_ratio_in_the_key_gives_the_requested_frequency(seed):
     *_, last = questions(Oscillator(), seed)
     asked = sp.Rational(re.search(r"m/k=(\d+/\d+)", last.text)[1])
     exact = number_of(re.search(r"so \$\\varepsilon=(\\frac\{.*?\}\{\d+\})", last.answer)[1])
@@ -204,7 +204,7 @@ def test_the_letters_of_the_key_name_the_right_options():
     assert len(seen) > 1.5 * len({name for name, _ in seen})
 
 
-def test_a_seed_gives_one_sheet_and_another_seed_another():
+def test_a_seed_determines_the_worksheet():
     machine = Oscillator()
     assert questions(machine, "a") == questions(machine, "a")
     assert len({questions(machine, str(seed)) for seed in range(10)}) > 5
@@ -264,7 +264,7 @@ def test_questions_show_no_answer_and_the_key_shows_all():
         assert "paper" not in {chips.key for chips in each.button_group}
 
 
-def test_who_makes_a_sheet_has_its_key():
+def test_the_author_of_a_worksheet_has_its_key():
     app = sheet()
     (make,) = (each for each in app.button if each.label == "New worksheet with its key")
     made = make.click().run()
@@ -276,7 +276,7 @@ def test_who_makes_a_sheet_has_its_key():
     assert "key" in address.PRIVATE
 
 
-def test_what_is_no_name_of_a_sheet_gets_a_sentence_and_the_old_sheet_stays():
+def test_an_invalid_name_gets_a_sentence_and_preserves_the_worksheet():
     app = sheet(seed=name_of(5))
     app.text_input(key="worksheet_name").set_value("<b>1729</b>").run()
     assert app.query_params["seed"] == name_of(5)
@@ -285,7 +285,7 @@ def test_what_is_no_name_of_a_sheet_gets_a_sentence_and_the_old_sheet_stays():
     ]
 
 
-def test_a_name_leads_to_no_key():
+def test_a_name_does_not_reveal_its_key():
     """Names have at least 40 bits, and the hash is slow: scrypt uses 16 MB for each key."""
     names = {name_of(number) for number in range(12)}
     assert len(names) == 12
@@ -297,6 +297,6 @@ def test_a_name_leads_to_no_key():
     assert min(asked) >= 2**24
 
 
-def test_the_key_calculates_with_the_masses_as_they_were_typed():
+def test_the_key_calculates_with_the_typed_masses():
     (first, *_others) = [each for each in questions(Oscillator(1.56, 1.08, 7.5), "1") if each.working]
     assert first.working[0] == r"\varepsilon=\frac{m'}{m}=\frac{1.08}{1.56}=\frac{9}{13}"

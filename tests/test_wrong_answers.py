@@ -248,7 +248,7 @@ def spoiled_factor(source: random.Random, of_energy: bool) -> sp.Expr:
 
 
 @pytest.mark.parametrize("name", ENERGIES)
-def test_a_spoiled_coefficient_and_a_term_too_many_are_named_or_a_mistake_that_really_gives_them(name: str) -> None:
+def test_an_altered_coefficient_and_an_extra_term_get_a_true_verdict(name: str) -> None:
     source = random.Random(name)
     variables = (m, mp, R) if name == "phi_equation" else (Xd, phid, Phid, X, phi, Phi)
     right = monomials(ENERGIES[name], variables)
@@ -284,7 +284,7 @@ def test_a_spoiled_coefficient_and_a_term_too_many_are_named_or_a_mistake_that_r
 
 
 @pytest.mark.parametrize("name", EQUATIONS)
-def test_an_equation_is_right_up_to_a_factor_and_a_spoiled_term_is_named(name: str) -> None:
+def test_an_equation_is_right_up_to_a_factor_and_an_altered_term_is_named(name: str) -> None:
     source = random.Random(name)
     variables = ACCELERATIONS[:3] if name == "block_equation" else (ratio,)
     right = monomials(EQUATIONS[name], variables)
@@ -316,7 +316,7 @@ def test_an_equation_is_right_up_to_a_factor_and_a_spoiled_term_is_named(name: s
 
 
 @pytest.mark.parametrize("name", QUOTIENTS)
-def test_a_spoiled_fraction_is_told_where(name: str) -> None:
+def test_the_altered_part_of_a_fraction_is_named(name: str) -> None:
     source = random.Random(name)
     above, below = QUOTIENTS[name]
     vague = 0
@@ -381,7 +381,7 @@ def same(left: sp.Expr, right: sp.Expr) -> bool:
 
 
 @pytest.mark.parametrize("decimal", [False, True], ids=["roots", "decimals"])
-def test_what_is_said_of_a_wrong_mass_ratio_is_true(decimal: bool) -> None:
+def test_the_sentence_about_a_wrong_mass_ratio_is_true(decimal: bool) -> None:
     source = random.Random(1729)
     for _ in range(COUNT):
         if decimal:
@@ -438,7 +438,7 @@ def hinted_ratio(message: str, given: sp.Expr) -> bool:
     return abs(float(by_the_inverse_matrix(HINTED[message], point)[OMEGA] - 1)) < 1e-12
 
 
-def test_a_false_sentence_would_be_found() -> None:
+def test_negative_control_a_false_sentence_is_detected() -> None:
     """Negative control: the checks reject sentences that are nearly true."""
     said = "Your coefficient of X′φ′ is twice the right one."
     right = -mp * R
