@@ -64,32 +64,36 @@ def translations(language: str) -> Translations:
 
 
 def difference(english: str, translation: str) -> str:
-    """Return a sentence about the slots, formulas and marks in which a translation differs; empty if none do.
+    """Return a sentence about the slots, formulas and marks that a translation lacks or adds; empty if there are none.
 
     >>> difference("Exactly {exactly} of $x$", "Pile {exactement} pour $x$")
     'It lacks {exactly} and has {exactement} instead.'
     """
-    lost, added = _marks(english) - _marks(translation), _marks(translation) - _marks(english)
+    english_marks, marks = _count_marks(english), _count_marks(translation)
+    lost, added = english_marks - marks, marks - english_marks
     if lost and added:
-        return f"It lacks {_listed(lost)} and has {_listed(added)} instead."
+        return f"It lacks {_join_marks(lost)} and has {_join_marks(added)} instead."
     if lost:
-        return f"It lacks {_listed(lost)}."
+        return f"It lacks {_join_marks(lost)}."
     if added:
-        return f"It has {_listed(added)}, which the English text has not."
+        return f"It has {_join_marks(added)}, which the English text has not."
     return ""
 
 
-def _marks(text: str) -> Counter[str]:
-    """Count the parts of a text that must not be translated; decimal marks and words in formulas do not count."""
-    formulas = re.sub(r"\\text\{+[^{}]*\}+", "", text.replace("{,}", "."))
-    # The word for a number depends on its place in the sentence.
-    formulas = re.sub(r":(Word|alone|Alone)\}", ":word}", formulas)
+def _count_marks(text: str) -> Counter[str]:
+    """Count the formulas, slots and marks of a text, which a translation must keep.
+
+    Three differences are allowed: a decimal comma in LaTeX, words in a formula, and another form of a number's word.
+    """
+    normalized = text.replace("{,}", ".")
+    normalized = re.sub(r"\\text\{+[^{}]*\}+", "", normalized)
+    normalized = re.sub(r":(Word|alone|Alone)\}", ":word}", normalized)
     # `str.format` raises an error for a single brace, and does not fill a slot in double braces.
-    other_braces = re.findall("[{}]", NOT_WORDS.sub("", formulas))
-    return Counter([*NOT_WORDS.findall(formulas), *_MARKDOWN.findall(text), *other_braces])
+    other_braces = re.findall("[{}]", NOT_WORDS.sub("", normalized))
+    return Counter([*NOT_WORDS.findall(normalized), *_MARKDOWN.findall(text), *other_braces])
 
 
-def _listed(marks: Counter[str]) -> str:
+def _join_marks(marks: Counter[str]) -> str:
     return ", ".join(mark.replace("\n", "a line break") for mark in marks)
 
 
@@ -97,7 +101,7 @@ def _remove_faults(catalogue: polib.POFile) -> list[Fault]:
     """Remove the unusable translations, accept the fuzzy ones, and return the faults."""
     faults = []
     for entry in catalogue:
-        reason = _reason(entry)
+        reason = _find_reason(entry)
         if reason:
             faults.append(Fault(entry.linenum, entry.msgid, reason))
             entry.msgstr, entry.msgstr_plural = "", {}
@@ -106,16 +110,17 @@ def _remove_faults(catalogue: polib.POFile) -> list[Fault]:
     return faults
 
 
-def _reason(entry: polib.POEntry) -> str:
-    """Return the reason why a translation is unusable, empty for a usable one."""
+def _find_reason(entry: polib.POEntry) -> str:
+    """Return the reason why a translation is unusable, or an empty string if it is usable."""
     strings = [entry.msgstr, *entry.msgstr_plural.values()]
     if entry.msgid_plural and any(strings) and not all(entry.msgstr_plural.values()):
         return "One of its plural forms is empty."
+    # A plural form may have the slots of either English form: "one period" may be translated without the number.
+    english_forms = (entry.msgid, entry.msgid_plural or entry.msgid)
     for string in filter(None, strings):
-        # Like the English singular, a plural form may omit the number.
-        english_forms = (entry.msgid, entry.msgid_plural or entry.msgid)
         differences = [difference(english, string) for english in english_forms]
-        if all(differences):
+        differs_from_every_form = all(differences)
+        if differs_from_every_form:
             return differences[0]
         if string != string.strip():
             return "It begins or ends with a space."

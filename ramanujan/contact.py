@@ -116,7 +116,7 @@ def normal_forces(
     """
     displacement = oscillator.radius * coordinates("q", q)[1]
     compression = 2 * float(np.abs(displacement).max(initial=0.0))
-    L = _checked_spacing(oscillator, compression, spacing)
+    L = _check_spacing(oscillator, compression, spacing)
     weight = oscillator.m * positive("g", g)
     loads = _load_coefficients(oscillator, 1 / 2 - displacement / L, 1 / 2 + displacement / L)
     return {name: np.broadcast_to(weight * load, displacement.shape) for name, load in loads.items()}
@@ -242,7 +242,7 @@ def largest_compression(
     """
     mu = positive("friction_coefficient", friction_coefficient)
     squared_over_g = oscillator.natural_frequency_squared / positive("g", g)
-    L = _checked_spacing(oscillator, 0.0, spacing)
+    L = _check_spacing(oscillator, 0.0, spacing)
     forces = _force_coefficients(oscillator)
     amplitudes = []
     for name, n in _load_coefficients(oscillator, 1 / 2, 1 / 2).items():
@@ -279,13 +279,13 @@ def _load_coefficients(
 
 def _force_load_ratios(oscillator: Oscillator, amplitude: float, spacing: float) -> dict[str, float]:
     """Return c/(n − sA/L) for each contact: its largest force/load in units of Ω²A/g."""
-    L = _checked_spacing(oscillator, 2 * amplitude, spacing)
+    L = _check_spacing(oscillator, 2 * amplitude, spacing)
     smaller_load = 1 / 2 - amplitude / L
     loads = _load_coefficients(oscillator, smaller_load, smaller_load)
     return {name: abs(force) / loads[name] for name, force in _force_coefficients(oscillator).items()}
 
 
-def _checked_spacing(oscillator: Oscillator, compression: float, spacing: float) -> float:
+def _check_spacing(oscillator: Oscillator, compression: float, spacing: float) -> float:
     """Return L as a float. Raise `ValueError` if the rollers overlap, or if the slab tips off them: |x₀| ≥ L."""
     distance = positive("spacing", spacing, infinite=True)
     if distance <= compression:

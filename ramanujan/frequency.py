@@ -121,9 +121,9 @@ def mass_ratio_for(normalized_frequency_squared: ArrayLike) -> NDArray[np.floati
         raise ValueError("normalized_frequency_squared must lie strictly between 0 and 7/4")
     b = 49 * w - 48
     d = np.hypot(7 * w - 48, math.sqrt(48) * w)
-    total = d + np.abs(b)
+    d_plus_b = d + np.abs(b)
     with np.errstate(over="ignore"):
-        ratio: NDArray[np.floating] = np.where(b >= 0, 16 * (7 - 4 * w) / total, total / (36 * w))
+        ratio: NDArray[np.floating] = np.where(b >= 0, 16 * (7 - 4 * w) / d_plus_b, d_plus_b / (36 * w))
     if not np.all(np.isfinite(ratio)):
         raise ValueError("normalized_frequency_squared is too small: the mass ratio exceeds the largest float")
     return ratio[()]

@@ -183,15 +183,15 @@ def trajectory(method: Method, acceleration: Acceleration, q: Runs, v: Runs, h: 
     0.875 -0.46875
     0.53125 -0.8203125
     """
-    q, v = _as_runs("q", q), _as_runs("v", v)
+    q, v = _convert_runs("q", q), _convert_runs("v", v)
     if np.shape(v) != np.shape(q):
         raise ValueError(f"v must have the shape of q, {np.shape(q)}, not {np.shape(v)}")
     if float_array("h", h).shape not in ((), np.shape(q)):
         raise ValueError(f"h must be one number or have the shape of q, {np.shape(q)}, not {np.shape(h)}")
-    return _steps(method.step, _reusing_last(acceleration), q, v, _as_step(h, q))
+    return _iterate(method.step, _cache_last(acceleration), q, v, _convert_time_step(h, q))
 
 
-def _as_runs(name: str, values: Runs) -> Runs:
+def _convert_runs(name: str, values: Runs) -> Runs:
     """Return finite floats or floating-point arrays: Python floats and float32 unchanged, other types as float64."""
     array = float_array(name, values)
     if isinstance(values, float):
@@ -200,7 +200,7 @@ def _as_runs(name: str, values: Runs) -> Runs:
     return runs
 
 
-def _as_step(h: Runs, q: Runs) -> Runs:
+def _convert_time_step(h: Runs, q: Runs) -> Runs:
     """Convert the time step h to a type that preserves the dtype of q."""
     dtype = np.asarray(q).dtype.type
     if np.ndim(h) > 0:
@@ -209,13 +209,13 @@ def _as_step(h: Runs, q: Runs) -> Runs:
     return dtype(h) if isinstance(q, np.floating) else float(h)
 
 
-def _steps(step: Step, acceleration: Acceleration, q: Runs, v: Runs, h: Runs) -> Iterator[tuple[Runs, Runs]]:
+def _iterate(step: Step, acceleration: Acceleration, q: Runs, v: Runs, h: Runs) -> Iterator[tuple[Runs, Runs]]:
     while True:
         q, v = step(acceleration, q, v, h)
         yield q, v
 
 
-def _reusing_last(acceleration: Acceleration) -> Acceleration:
+def _cache_last(acceleration: Acceleration) -> Acceleration:
     """Return a function that caches the last acceleration, and reuses it if it is called with the same object q."""
     last: tuple[Runs, Runs] | None = None
 

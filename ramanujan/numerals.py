@@ -23,6 +23,7 @@ from ramanujan.translation import _, pgettext
 
 # TRANSLATORS: a point or a comma: what your language writes between 0 and 5 in one half.
 DECIMAL = pgettext("decimal mark", ".")
+_DECIMAL_IN_LATEX = DECIMAL if DECIMAL == "." else f"{{{DECIMAL}}}"
 THIN = "\u202f"
 """A thin no-break space, between groups of three digits, and between a number and its unit."""
 
@@ -37,14 +38,14 @@ FROM_SUPERSCRIPTS = str.maketrans("⁻⁰¹²³⁴⁵⁶⁷⁸⁹", "-0123456789
 
 _OTHER_MARK = "," if DECIMAL == "." else "."
 _MAYBE_THOUSANDS = re.compile(rf"[+-]?[1-9]\d{{0,2}}{re.escape(_OTHER_MARK)}\d{{3}}", re.ASCII)
-"""A number with the mark that separates decimals in other languages and may separate thousands in this one."""
+"""A number with the decimal mark of other languages, which may separate thousands in this one."""
 
 _DIGITS_OF_A_FLOAT = 17
 _LONGEST_INTEGER = 10**6
-_PLAIN = range(-4, 6)
-"""Powers of ten of the leading digit for which a number is written without a power."""
+_POWERS_WITHOUT_EXPONENT = range(-4, 6)
+"""A number is written without a power of ten if its leading digit has one of these powers."""
 
-_DURATIONS = ((1.0, "s"), (1e-3, "ms"), (1e-6, "µs"), (1e-9, "ns"))
+_UNITS_OF_TIME = ((1.0, "s"), (1e-3, "ms"), (1e-6, "µs"), (1e-9, "ns"))
 
 Number = float | int | Decimal
 
@@ -75,14 +76,22 @@ def number(value: Number, digits: int = 2, *, strip: bool = False) -> str:
         return "0"
     mantissa, _e, exponent = f"{value:.{digits - 1}e}".partition("e")
     power = int(exponent)
-    if power not in _PLAIN:
-        mantissa = mantissa.rstrip("0").rstrip(".") if "." in mantissa else mantissa
-        sign, size = ("−", mantissa[1:]) if mantissa.startswith("-") else ("", mantissa)
-        size = size.replace(".", DECIMAL)
-        return sign + (power_of_ten(power) if size == "1" else f"{size}×{power_of_ten(power)}")
+    if power not in _POWERS_WITHOUT_EXPONENT:
+        return _scientific(mantissa, power)
     places = digits - 1 - power
     text = f"{round(value, places):,.{max(places, 0)}f}"
-    return _grouped(text.rstrip("0").rstrip(".") if strip and "." in text else text)
+    return _grouped(_without_trailing_zeros(text) if strip else text)
+
+
+def _scientific(mantissa: str, power: int) -> str:
+    """Return a mantissa times a power of ten, without trailing zeros and without the mantissa 1."""
+    sign = "−" if mantissa.startswith("-") else ""
+    factor = _without_trailing_zeros(mantissa.lstrip("-")).replace(".", DECIMAL)
+    return sign + (power_of_ten(power) if factor == "1" else f"{factor}×{power_of_ten(power)}")
+
+
+def _without_trailing_zeros(decimal: str) -> str:
+    return decimal.rstrip("0").rstrip(".") if "." in decimal else decimal
 
 
 def at_most(value: Number, digits: int = 2) -> str:
@@ -109,7 +118,7 @@ def _rounded(value: Number, digits: int, rounding: str) -> Number:
     """Return a number rounded to `digits` significant digits; integers, infinities and NaN are returned unchanged."""
     if isinstance(value, Integral) or not math.isfinite(value) or value == 0:
         return value
-    # The shortest decimal: the exact value of the double 0.1 is a little larger than 0.1.
+    # `repr` gives the shortest decimal of a float. The exact value of the float 0.1 is a little larger than 0.1.
     decimal = value if isinstance(value, Decimal) else Decimal(repr(float(value)))
     last_digit = Decimal(1).scaleb(decimal.adjusted() - digits + 1)
     return decimal.quantize(last_digit, rounding)
@@ -136,9 +145,9 @@ def _word(count: int, words: list[str]) -> str:
 
 
 def two_readings(text: str) -> tuple[str, str] | None:
-    """Return how an ambiguous number can be written as a decimal and as a whole number, or None if it is clear.
+    """Return an ambiguous number as a decimal and as a whole number, or None if the number is clear.
 
-    Three digits after the mark of another language can be decimals or a group of a thousand.
+    A decimal mark of another language before three digits may be meant as a decimal mark or as a thousands separator.
 
     >>> two_readings("12,500")
     ('12.500', '12500')
@@ -154,15 +163,16 @@ def two_readings(text: str) -> tuple[str, str] | None:
     return None if decimals == wholes else ("/".join(decimals), "/".join(wholes))
 
 
-def ambiguous_number(formula: str) -> str | None:
-    """Return the sentence about the first number of a formula that has two readings, or None.
+def explain_ambiguous_number(formula: str) -> str | None:
+    """Return a sentence about the first ambiguous number of a formula, or None if all numbers are clear.
 
-    >>> ambiguous_number("k/12,500 + 0,125m")
+    >>> explain_ambiguous_number("k/12,500 + 0,125m")
     '12,500 can mean 12.500 or 12500. Type one of these two.'
-    >>> ambiguous_number("12.500k + 1234,500")
+    >>> explain_ambiguous_number("12.500k + 1234,500")
     """
     for text in re.findall(r"[0-9.,]+", formula):
-        if readings := two_readings(text):
+        readings = two_readings(text)
+        if readings:
             decimal, whole = readings
             sentence = _("{text} can mean {decimal} or {whole}. Type one of these two.")
             return sentence.format(text=text, decimal=decimal, whole=whole)
@@ -219,7 +229,8 @@ def duration(seconds: float) -> str:
     >>> duration(2.5e-5)
     '25\\u202fµs'
     """
-    size, unit = next(((size, unit) for size, unit in _DURATIONS if seconds >= size), _DURATIONS[-1])
+    reached = [(size, unit) for size, unit in _UNITS_OF_TIME if seconds >= size]
+    size, unit = reached[0] if reached else _UNITS_OF_TIME[-1]
     return quantity(seconds / size, unit)
 
 
@@ -229,7 +240,7 @@ def in_latex(decimal: str) -> str:
     >>> in_latex("0.5")
     '0.5'
     """
-    return decimal.replace(".", DECIMAL if DECIMAL == "." else f"{{{DECIMAL}}}")
+    return decimal.replace(".", _DECIMAL_IN_LATEX)
 
 
 def percent(share: float, digits: int = 2) -> str:
@@ -260,7 +271,7 @@ def filled(template: str, **values: object) -> str:
     >>> filled("{n:Word} forms, {exact:word} of them exact.", n=13, exact=7)
     '13 forms, seven of them exact.'
     """
-    return _SENTENCES.vformat(template, (), values)
+    return _FORMATTER.vformat(template, (), values)
 
 
 def _capital(text: str) -> str:
@@ -276,26 +287,28 @@ _WORD_FORMATS: dict[str, Callable[[int], str]] = {
 """Format of a slot → function that writes its count."""
 
 
-class _Sentences(string.Formatter):
+class _SentenceFormatter(string.Formatter):
+    """`str.format` with the formats of `filled`."""
+
     def format_field(self, value: Any, format_spec: str) -> str:
-        rounding, _space, unit = format_spec.partition(" ")
-        if not rounding or isinstance(value, str):
+        digits_and_arrow, _space, unit = format_spec.partition(" ")
+        if not digits_and_arrow or isinstance(value, str):
             return str(value)
-        if rounding in _WORD_FORMATS:
-            return _WORD_FORMATS[rounding](int(value))
-        digits = int(rounding.rstrip("↑↓"))
-        write = {"↑": at_most, "↓": at_least}.get(rounding[-1], number)
+        if format_spec in _WORD_FORMATS:
+            return _WORD_FORMATS[format_spec](int(value))
+        digits = int(digits_and_arrow.rstrip("↑↓"))
+        write = {"↑": at_most, "↓": at_least}.get(digits_and_arrow[-1], number)
         if unit == "%":
             # As decimals: 100 · 0.07 is a little larger than 7.
             value = 100 * Decimal(repr(float(value)))
         return with_unit(write(value, digits), unit)
 
 
-_SENTENCES = _Sentences()
+_FORMATTER = _SentenceFormatter()
 
 
 def unbroken(formulas: str) -> str:
-    """Return formulas for a text, with line breaks allowed only between two formulas."""
+    """Return a list of formulas for a text, in which a line can break only between two formulas."""
     return re.sub("(?<![,:;]) ", "\u00a0", formulas).replace("/", "/\u2060")
 
 

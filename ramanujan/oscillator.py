@@ -97,9 +97,10 @@ class Oscillator:
         fields = vars(self)
         for name, value in fields.items():
             fields[name] = positive(name, value)
-        ratio, stiffness, squared = self.mass_ratio, self.k / self.m, self.natural_frequency_squared
-        if not (0 < ratio < math.inf and 0 < stiffness < math.inf and 0 < squared < math.inf):
-            values = f"m_prime/m = {ratio}, k/m = {stiffness} and Ω² = {squared}"
+        # Quotients of valid parameters can still overflow to ∞ or underflow to 0.
+        ratio, k_over_m, Omega_squared = self.mass_ratio, self.k / self.m, self.natural_frequency_squared
+        if not all(0 < quotient < math.inf for quotient in (ratio, k_over_m, Omega_squared)):
+            values = f"m_prime/m = {ratio}, k/m = {k_over_m} and Ω² = {Omega_squared}"
             raise ValueError(f"{values} must be finite positive numbers for {self}")
 
     @property

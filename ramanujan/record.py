@@ -106,7 +106,7 @@ def record(
         raise ValueError(f"points must be an integer from 2 to {MOST_POINTS}, not {points}")
     t = np.linspace(0, positive("periods", periods) * oscillator.period, points)
     q, q_dot = motion(oscillator, initial, t)
-    # The slab might tip off its rollers between two recorded times. At the largest φ, `normal_forces` raises for that.
+    # The slab may tip off its rollers between two recorded times, so `normal_forces` checks the largest φ, too.
     largest_phi = travel_amplitude(oscillator, initial) / oscillator.radius
     normal_forces(oscillator, (0.0, largest_phi, 0.0), spacing=spacing)
     return Record(

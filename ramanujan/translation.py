@@ -20,8 +20,9 @@ from typing import NamedTuple
 from ramanujan import catalogue
 from ramanujan.catalogue import NOT_WORDS
 
+# The pseudo-language: its letters, the added part of the length, and its values of the messages that are settings.
 _ACCENTS = str.maketrans("aeiouyAEIOUYcnsz", "áéíóúýÁÉÍÓÚÝćńśź")
-_LONGER = 0.4
+_PADDING_PER_LETTER = 0.4
 _PSEUDO_SETTINGS = {"decimal mark": ",", "LaTeX package babel": "english"}
 
 
@@ -31,11 +32,13 @@ class PseudoLanguage(gettext.NullTranslations):
     def gettext(self, message: str) -> str:
         if not message.strip():
             return message
+        # `split` also returns the formulas and slots, at the odd indices.
         parts = NOT_WORDS.split(message)
-        words = "".join(part if index % 2 else part.translate(_ACCENTS) for index, part in enumerate(parts))
-        letters = sum(map(len, parts[::2]))
-        padding = "·" * round(_LONGER * letters)
-        return f"⟪{words} {padding}⟫" if len(padding) > 1 else f"⟪{words}⟫"
+        letters = sum(len(words) for words in parts[::2])
+        parts[::2] = [words.translate(_ACCENTS) for words in parts[::2]]
+        accented = "".join(parts)
+        padding = "·" * round(_PADDING_PER_LETTER * letters)
+        return f"⟪{accented} {padding}⟫" if len(padding) > 1 else f"⟪{accented}⟫"
 
     def ngettext(self, singular: str, plural: str, n: int) -> str:
         return self.gettext(singular if n == 1 else plural)
@@ -74,20 +77,23 @@ class MenuLanguage(NamedTuple):
 
     lang: str
     name: str
-    place: str
+    url_path: str
     is_active: bool
 
 
 @cache
 def menu_languages() -> list[MenuLanguage]:
-    """Return the languages in RAMANUJAN_LANGUAGES, with the URL paths of their servers, such as en:/,hu:/hu/."""
+    """Return the languages of the page's menu.
+
+    The environment variable RAMANUJAN_LANGUAGES lists them with the URL paths of their servers, such as en:/,hu:/hu/.
+    """
     entries = filter(None, os.environ.get("RAMANUJAN_LANGUAGES", "").split(","))
     languages = []
     for entry in entries:
-        lang, place = entry.split(":", 1)
+        lang, url_path = entry.split(":", 1)
         # TRANSLATORS: what your language calls itself.
         own_name = language(lang).pgettext("own name of the language", "English")
-        languages.append(MenuLanguage(lang, own_name, place, lang == LANGUAGE))
+        languages.append(MenuLanguage(lang, own_name, url_path, lang == LANGUAGE))
     return languages
 
 

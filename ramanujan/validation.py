@@ -53,8 +53,9 @@ def float_array(name: str, values: ArrayLike) -> NDArray[np.floating]:
     """
     try:
         array = np.asarray(values)
+        # Floats, integers and objects such as `Fraction`. Booleans, text and complex numbers are invalid.
         if array.dtype.kind not in "fiuO":
-            raise TypeError("booleans, text and complex numbers are no real numbers")
+            raise TypeError
         if array.dtype != np.float32:
             array = array.astype(np.float64, copy=False)
     except (TypeError, ValueError, OverflowError):

@@ -17,7 +17,7 @@ import sympy as sp
 from ramanujan.answers.formulas import is_number, leaves, replaced, weights
 from ramanujan.answers.spelling import Token, UnreadableError, plain, tokens
 from ramanujan.derivation.printers import latex
-from ramanujan.numerals import ambiguous_number, in_latex
+from ramanujan.numerals import explain_ambiguous_number, in_latex
 from ramanujan.translation import _
 
 MAX_LENGTH, MAX_DEPTH, MAX_EXPONENT, MAX_WEIGHT = 320, 20, 12, 120
@@ -69,7 +69,7 @@ def _sides(text: str, is_equation: bool = False) -> "list[_Part]":
     in_ascii = plain(text[: MOST_TYPED + 1])
     if len(text) > MOST_TYPED or len(in_ascii) > MAX_LENGTH:
         raise UnreadableError(_("The formula is too long. Use at most {most} characters.").format(most=MAX_LENGTH))
-    if refusal := ambiguous_number(text):
+    if refusal := explain_ambiguous_number(text):
         raise UnreadableError(refusal)
     sides = in_ascii.replace("≈", "=").split("=")
     if is_equation and len(sides) > 2:

@@ -15,7 +15,7 @@ export default function ({ data, parentElement }, signal) {
   const [select, report, input] = parentElement.querySelectorAll("select, .report, input");
   select.hidden = !data.languages.length;
   select.replaceChildren(
-    ...data.languages.map(({ lang, name, place, is_active: isActive }) => Object.assign(new Option(name, place, isActive, isActive), { lang })),
+    ...data.languages.map(({ lang, name, url_path: urlPath, is_active: isActive }) => Object.assign(new Option(name, urlPath, isActive, isActive), { lang })),
   );
   select.onchange = () => location.assign(select.value + location.pathname.split("/").pop() + location.search);
 

@@ -12,7 +12,7 @@ from ramanujan.integrators import METHODS
 from ramanujan.lesson import Attempt, Task, TaskVerdict
 from ramanujan.motion import with_initial_velocities
 from ramanujan.number_theory import BODIES
-from ramanujan.numerals import ambiguous_number
+from ramanujan.numerals import explain_ambiguous_number
 from ramanujan.shell import address, parameters, sidebar, stages, widgets
 from ramanujan.shell.display_mode import is_projector, picture_and_words, slide
 from ramanujan.shell.parameters import WATCH, Parameter, read_number
@@ -99,7 +99,7 @@ def _bodies() -> tuple[str, ...]:
 def _part() -> float | None:
     """Draw the box for a fraction of a period, and return its number; None for an ambiguous number."""
     text = st.text_input(_("Part of a period"), key="task_part", placeholder=_EXAMPLE.format(entry="1/3"))
-    if refusal := ambiguous_number(text):
+    if refusal := explain_ambiguous_number(text):
         st.markdown(f":small[{widgets.plain(refusal)}]")
         return None
     return read_number(text)
