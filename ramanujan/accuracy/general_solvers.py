@@ -16,7 +16,7 @@ from ramanujan.accuracy.extremes import DECADES, powers_of_ten, ulp_errors
 from ramanujan.oscillator import Oscillator
 from ramanujan.translation import _
 
-Eigenvalues = Callable[[NDArray[np.floating], NDArray[np.floating]], NDArray]
+Eigenvalues = Callable[[NDArray[np.floating], NDArray[np.floating]], NDArray[np.number]]
 
 
 @dataclass(frozen=True)

@@ -97,7 +97,7 @@ class Store:
     """Statements that begin a transaction and exclude other writers."""
     errors: tuple[type[Exception], ...]
 
-    def read(self, query: str, values: Sequence[Any] = ()) -> list[tuple]:
+    def read(self, query: str, values: Sequence[Any] = ()) -> list[tuple[Any, ...]]:
         """Return all rows of a query."""
         with self._errors_as_sentences(), self.connection() as connection:
             return self.execute(connection, query, values).fetchall()

@@ -14,6 +14,7 @@ from functools import cached_property
 from types import MappingProxyType
 from typing import Any, NamedTuple
 
+import numpy as np
 from numpy.typing import NDArray
 
 from ramanujan.motion import InitialState, motion, released
@@ -175,8 +176,8 @@ class Stop:
 
 
 def after(
-    part: float | NDArray, machine: Oscillator = EQUAL, compression: float = COMPRESSION
-) -> tuple[NDArray, NDArray]:
+    part: float | NDArray[np.float64], machine: Oscillator = EQUAL, compression: float = COMPRESSION
+) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
     """Return the state (q, q̇) of a machine after a part of a period, or after several parts, counted from release."""
     return motion(machine, released(machine, compression), part * machine.period)
 

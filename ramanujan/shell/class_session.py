@@ -158,7 +158,7 @@ def leave() -> None:
     _write_address()
 
 
-def run_or_refuse(act: Callable, *values: object) -> None:
+def run_or_refuse(act: Callable[..., object], *values: object) -> None:
     """Call a function of the class, and store the message of a `ClassError`."""
     for name in (_REFUSAL, _REFUSED_QUESTION):
         st.session_state.pop(name, None)

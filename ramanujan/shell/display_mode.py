@@ -7,6 +7,7 @@ link contains them. A page declares a slide where it draws it: `with slide("curv
 from collections.abc import Callable, Sequence
 from contextlib import AbstractContextManager, nullcontext
 from html import escape
+from typing import Any
 
 import streamlit as st
 
@@ -41,7 +42,7 @@ def is_projector() -> bool:
     return address.current(VIEW) == "projector"
 
 
-def slide(name: str, title: str) -> AbstractContextManager:
+def slide(name: str, title: str) -> AbstractContextManager[Any]:
     """Return a context manager for a slide of the projector view. In the normal view it has no effect.
 
     Elements outside of all slides are shown on each slide.
@@ -58,7 +59,7 @@ def slide(name: str, title: str) -> AbstractContextManager:
     return container
 
 
-def columns(name: str) -> Sequence[AbstractContextManager]:
+def columns(name: str) -> Sequence[AbstractContextManager[Any]]:
     """Return two columns: a left one for text, and a right one for the figure or formula that the text explains.
 
     On a narrow screen the text is above (page.css). In the projector view there are no columns.
@@ -73,7 +74,7 @@ def columns(name: str) -> Sequence[AbstractContextManager]:
     return row.container(), row.container()
 
 
-def picture_and_words(wide: int = 3) -> Sequence[AbstractContextManager]:
+def picture_and_words(wide: int = 3) -> Sequence[AbstractContextManager[Any]]:
     """Return columns of the widths `wide` and 2 for picture and text of a slide; no columns in the normal view."""
     return st.columns([wide, 2], gap="medium") if is_projector() else (nullcontext(), nullcontext())
 

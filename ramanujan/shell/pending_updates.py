@@ -32,7 +32,7 @@ class _Update(NamedTuple):
     """A value that the page may not have received."""
 
     value: Any
-    old_values: set
+    old_values: set[Any]
     """Values that an older message may contain, although the user has not moved the widget."""
     number: int = 0
 

@@ -135,7 +135,7 @@ def _moved() -> None:
         st.rerun(fragments)
 
 
-def _requests() -> list[partial]:
+def _requests() -> list[partial[None]]:
     """Return the requests that set the sliders: a text in a box, a preset, a click on a curve, a stop."""
     return st.session_state.setdefault(_REQUESTS, [])
 

@@ -35,7 +35,7 @@ def select_slider(key: Choice, label: str, words: Words | None = None, **more: A
     return _choice(st.select_slider, key, label, words, value=key.default, **more)
 
 
-def _choice(draw: Callable, key: Choice, label: str, words: Words | None, **more: Any) -> Any:
+def _choice(draw: Callable[..., object], key: Choice, label: str, words: Words | None, **more: Any) -> Any:
     words = words or _labels(key)
     # A page that remained open may send an option that no longer exists.
     options = {"options": list(key.options), "format_func": lambda option: words.get(option, str(option))}

@@ -12,6 +12,7 @@ from collections.abc import Callable
 from contextlib import suppress
 from dataclasses import replace
 from functools import partial
+from typing import Any
 
 import streamlit as st
 
@@ -226,7 +227,9 @@ def _attendance_sentence(place: str, now: ClassQuestion) -> str:
 def _draw_moves(key: str, stop: Stop | None, now: ClassQuestion, last: ClassQuestion | None) -> None:
     """Draw a button for each possible move. A clicker presses the first two: back and forward."""
 
-    def button(label: str, name: str, act: Callable, *more: object, keyed: str = "", disabled: bool = False) -> None:
+    def button(
+        label: str, name: str, act: Callable[..., None], *more: object, keyed: str = "", disabled: bool = False
+    ) -> None:
         st.button(
             label,
             key=f"class_{name}",
@@ -248,7 +251,7 @@ def _draw_moves(key: str, stop: Stop | None, now: ClassQuestion, last: ClassQues
         button(_("Ask again"), "again", shared().ask_again)
 
 
-def _forward_move(stop: Stop | None, now: ClassQuestion, last: ClassQuestion | None) -> tuple:
+def _forward_move(stop: Stop | None, now: ClassQuestion, last: ClassQuestion | None) -> tuple[Any, ...]:
     """Return label, key, callback and arguments of the forward button."""
     if stop is None:
         return _("Show what the class has learned"), "finish", _show_end

@@ -1,6 +1,7 @@
 """The CSV file of page 3: the settings, then every series under a header in words."""
 
 from collections.abc import Iterable
+from typing import TypeVar
 
 import numpy as np
 
@@ -10,6 +11,8 @@ from ramanujan.pages.motion import cache
 from ramanujan.record import Record
 from ramanujan.spreadsheet import Cell, spreadsheet
 from ramanujan.translation import _
+
+Value = TypeVar("Value")
 
 
 def sheet(motion: Record, friction_coefficient: float, settings: Iterable[tuple[str, float]]) -> str:
@@ -66,6 +69,6 @@ def _results(motion: Record, friction_coefficient: float) -> list[tuple[str, Cel
     ]
 
 
-def _by(names: dict[str, str], values: dict) -> dict:
+def _by(names: dict[str, str], values: dict[str, Value]) -> dict[str, Value]:
     """Return the values by the names of their keys."""
     return {names[key]: each for key, each in values.items()}
