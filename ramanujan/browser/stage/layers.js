@@ -107,7 +107,7 @@ export function makeLayers(root) {
     const [home, middle] = place.centre.hoop, x = home + moved(known, shift).hoop;
     for (const [i, [point, formula]] of Object.entries(FORMULAS.rolling).entries()) {
       const y = middle + (i - 1) * place.R, length = formula(known) * per.speed, side = length < 0 ? -1 : 1;
-      draw("rolling", point, "hoop", velocityArrow(x, y, length, headOf(place.R)) || `M${x} ${-y}h0`);
+      draw("rolling", point, "hoop", velocityArrow(x, y, length, headOf(place.R)) || `M${x} ${-y}h0.01`); // WebKit enlarges the dot of h0
       // A label of an arrow to the left must begin within the view.
       set(points[point], { x: side < 0 ? Math.max(x + length - 1.2, place.view.left + 15) : x + length + 1.2, y: -y });
       // The label would jump when the arrow changes its direction.

@@ -182,6 +182,7 @@ def _mathml(latex: str) -> str:
     converted = convert(fixed.replace(r"\frac", r"\dfrac").replace("m'", _PLACEHOLDER))
     converted = converted.replace(f"<mi>{_PLACEHOLDER}</mi>", "<mi>𝑚′</mi>")
     converted = converted.replace("<mo>&#x0002F;</mo>", '<mo lspace="0" rspace="0">/</mo>')
+    converted = converted.replace("<mover>", '<mover accent="true">')  # otherwise Chromium's dots are small
     converted = _CAPITAL.sub(r'<mi mathvariant="normal">\1', converted)
     return _SIGN.sub(r'\1<mo form="prefix">&#x02212;</mo>', converted)
 
