@@ -54,7 +54,7 @@ LOADED = """() => [...document.fonts].filter((each) => each.status === "loaded" 
 FILES = ", ".join(f":is(button, a):visible:has-text('{name}')" for name in ("SVG", "PNG", "CSV", "Download"))
 OUTSIDE = """() => [...document.querySelectorAll(".js-plotly-plot")].flatMap((graph) => {
   const home = graph.getBoundingClientRect();
-  return [...graph.querySelectorAll(".annotation-text")].filter((label) => {
+  return [...graph.querySelectorAll(".annotation-text, .infolayer .legendtext")].filter((label) => {
     const box = label.getBoundingClientRect();
     return box.left < home.left - 1 || box.right > home.right + 1 || box.top < home.top - 1;
   }).map((label) => label.textContent);

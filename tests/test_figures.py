@@ -11,7 +11,6 @@ from plotly.basedatatypes import BaseFigure
 from streamlit.testing.v1 import AppTest
 
 from ramanujan.figures import drawn
-from ramanujan.figures.labels import Area, beside
 from ramanujan.shell.navigation import PAGES
 from tests.browser import ROOT
 
@@ -29,54 +28,6 @@ def test_a_figure_equals_plotlys_own_json() -> None:
         go.Figure(drawn([{"type": "scatter", "colour": "red"}], {}).to_dict())
 
 
-def boxes(notes: list[dict], area: Area, size: float, screen: tuple[float, float]) -> dict[str, np.ndarray]:
-    """Return the left, lower, right and upper ends of the names in a panel [px]."""
-    found = {}
-    for note in notes:
-        width, height = 0.5 * size * len(note["text"]), 0.9 * size
-        x, y = (
-            (note[name] - low) / (high - low) * pixels
-            for name, (low, high), pixels in zip("xy", (area.x_range, area.y_range), screen, strict=True)
-        )
-        left = x - {"left": 0, "center": width / 2, "right": width}[note["xanchor"]]
-        middle = y + {"bottom": 1, "middle": 0, "top": -1}[note["yanchor"]] * 0.65 * size + note.get("yshift", 0)
-        found[note["text"]] = np.array([left, middle - height / 2, left + width, middle + height / 2])
-    return found
-
-
-def test_names_touch_neither_curves_nor_each_other_on_a_phone_and_on_a_projector() -> None:
-    t = np.linspace(0, 4, 2001)
-    wave = np.cos(np.pi * t)
-    curves = {"hoop": 0.2 * wave, "slab": wave, "ring": wave, "top cylinder": 0 * t - 1.5, "all of them": 0 * t + 1.5}
-    upper, lower = (
-        Area([(name, "red", t, scale * y) for name, y in curves.items()], (0, 4), (-2, 2), 410, axis)
-        for axis, scale in (("y", 0.1), ("y2", 1))
-    )
-    notes = beside(upper, lower)
-    # Names of close curves would touch, so they are in the other panel.
-    assert {note["text"] for note in notes if note["yref"] == "y2"} == set(curves)
-    assert {note["text"] for note in notes if note["yref"] == "y"} < set(curves)
-    for size, screen in ((13, (278, 410)), (15, (780, 410)), (24, (1069, 374))):
-        for area in (upper, lower):
-            found = boxes([note for note in notes if note["yref"] == area.axis], area, size, screen)
-            points = [np.column_stack([x / 4 * screen[0], (y + 2) / 4 * screen[1]]) for *_name, x, y in area.curves]
-            for name, box in found.items():
-                assert np.all(box >= -1)
-                assert not np.any(
-                    np.all((np.concatenate(points) > box[:2]) & (np.concatenate(points) < box[2:]), axis=1)
-                )
-                assert not [
-                    n
-                    for n, other in found.items()
-                    if n != name and np.all(box[:2] < other[2:]) and np.all(other[:2] < box[2:])
-                ]
-    # A curve without points has no name. A band that is too narrow has no name.
-    found = [("failed", "#123", t, np.full(len(t), np.nan)), ("right", "#123", t, 0 * t + 0.5)]
-    assert [note["text"] for note in beside(Area(found, (0, 4), (0, 1), 410))] == ["right"]
-    bands = {"thin": [0 * t, 0 * t + 0.01], "broad": [0 * t + 0.01, 0 * t + 1]}
-    assert [note["text"] for note in beside(Area([], (0, 4), (0, 1), 410, bands=bands))] == ["broad"]
-
-
 def letters_high(key: str) -> int:
     """Return the height of a figure in em, from the last matching rule of type.css."""
     rules = (ROOT / "ramanujan/browser/components/type.css").read_text(encoding="utf-8")
@@ -88,6 +39,16 @@ def letters_high(key: str) -> int:
         if key == name or (part != "." and key.startswith(name))
     ]
     return int([usual, *own][-1])
+
+
+def check_legend(data: list[dict], layout: dict) -> None:
+    """Check that a legend contains every curve's name once, and that no name lies on the curves."""
+    if not layout["showlegend"]:
+        return
+    names = [trace["name"] for trace in data if trace.get("name") and trace.get("showlegend", True)]
+    assert sorted(names) == sorted({trace["name"] for trace in data if trace.get("name")})
+    assert layout["legend"]["y"] > 1
+    assert not {note["text"] for note in layout.get("annotations", ())} & set(names)
 
 
 @pytest.mark.parametrize("name", PAGES)
@@ -114,3 +75,4 @@ def test_plotly_knows_every_property_of_a_page(app: AppTest, name: str, monkeypa
         # The figure has the height of its place on the page, so it is drawn only once.
         assert figure.to_dict()["layout"]["height"] == 16 * letters_high(key)
         assert go.Figure(figure.to_dict()).layout.template.layout.font.size == 14
+        check_legend(**figure.to_dict())

@@ -98,6 +98,18 @@ class Drawn(BaseFigure):
         return f"Drawn({len(self._sent['data'])} traces)"
 
 
+def legend(height: float = 1.02) -> dict[str, Any]:
+    """Return the layout of a legend in rows above the panels, at a height in fractions of the plotting area."""
+    return {"showlegend": True, "legend": {"orientation": "h", "x": 0, "y": height, "yanchor": "bottom"}}
+
+
+def note(name: str, color: str | None, x: float, y: float, axis: str = "y") -> dict[str, Any]:
+    """Return an annotation, by default in the figure's colour."""
+    font = {"size": 13} | ({"color": color} if color else {})
+    words = {"text": name, "font": font, "showarrow": False, "borderpad": 0}
+    return words | {"x": float(x), "y": float(y), "xref": "x", "yref": axis}
+
+
 def drawn(traces: Iterable[Mapping[str, Any]], layout: Mapping[str, Any]) -> Drawn:
     """Return a figure with these traces; NumPy arrays become Plotly's typed arrays, bytes in base 64."""
     data = [{name: _typed(value) for name, value in trace.items()} for trace in traces]
@@ -129,6 +141,8 @@ _LINE = 16
 """The number of letters of an axis title that fit beside one of two panels."""
 _ABOVE = (24, 54)
 """The margin above the panels [px], without and with a line of words. Plotly omits the last number without a margin."""
+_ROW = 4
+"""The largest number of names in a row above a figure. On a slide, a longer legend is a column beside the figure."""
 _LETTERS = 26
 """The size of letters for Plotly's layout [px]; type.css does not change it, and projector.css sets 20 to 39 px."""
 
@@ -149,6 +163,9 @@ def in_large_print(figure: BaseFigure) -> Drawn:
     # Plotly caches the width of a text by its size. A new size forces a new measurement after a switch to a projector.
     notes = [{**note, "font": {**note.get("font", {}), "size": _LETTERS}} for note in layout.get("annotations", ())]
     is_above = any(note.get("yref") == "paper" and note["y"] == 1 for note in notes)
+    names = {trace["name"] for trace in sent["data"] if trace.get("name") and trace.get("showlegend", True)}
+    if "legend" in layout and len(names) > _ROW:
+        layout["legend"] = {"orientation": "v"}
     layout |= {"annotations": notes, "margin": {**layout.get("margin", {}), "t": _ABOVE[is_above]}}
     return Drawn({**sent, "layout": layout})
 

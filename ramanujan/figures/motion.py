@@ -6,8 +6,7 @@ from typing import Any
 
 import numpy as np
 
-from ramanujan.figures import NO_NAME, Drawn, figure, horizontal_bars, line
-from ramanujan.figures.labels import Area, beside
+from ramanujan.figures import NO_NAME, Drawn, figure, horizontal_bars, legend, line
 from ramanujan.numerals import fixed, number
 from ramanujan.translation import _
 
@@ -17,21 +16,22 @@ _HEIGHT = 420
 _GAP = 0.12
 _BELOW = 48
 _ABOVE = 28
+_PERIOD_HEIGHT = 0.1
+"""The height of the words above the panels, in fractions of the plotting area. The legend lies above them."""
 
 
 @dataclass(frozen=True)
 class Curve:
     """A curve against time, with its values at equal steps.
 
-    `name` appears in the hover text, `label` beside the curve in the colour `ink`. Curves that are `stacked` are filled
-    and lie on top of each other; neighbours with the same label share it.
+    `name` appears in the hover text, `label` in the legend, once for all curves with the same label. Curves that are
+    `stacked` are filled and lie on top of each other.
     """
 
     name: str
     values: np.ndarray
     color: str
     label: str
-    ink: str
     width: float = 2.5
     dash: str = "solid"
     stacked: bool = False
@@ -66,15 +66,16 @@ def time_panels(panels: Sequence[Panel], *, period: float, periods: int, colors:
     end = period * periods
     axes: dict[str, Any] = {}
     traces: list[dict[str, Any]] = []
-    areas: list[Area] = []
+    labels: set[str] = set()
     for place, (panel, domain) in enumerate(zip(panels, _domains(len(panels)), strict=True), start=1):
         axis = "y" if place == 1 else f"y{place}"
-        traces += [_trace(curve, panel, axis, end, several=len(panels) > 1) for curve in panel.curves]
-        areas.append(_area(panel, axis, end, _HEIGHT * (domain[1] - domain[0]), 43 if len(panels) == 1 else 23))
+        for curve in panel.curves:
+            traces.append(_trace(curve, panel, axis, end, several=len(panels) > 1, named=curve.label not in labels))
+            labels.add(curve.label)
         title = _("{quantity} [{unit}]").format(quantity=panel.title, unit=panel.unit)
         axes[f"yaxis{axis[1:]}"] = _axis(title, panel.range, domain=domain, nticks=6, **_zero_line(colors))
     end_of_one = _upright(period, {"color": colors["ink"], "width": 1, "dash": "dot"}, layer="below")
-    notes = [_above(period, _("one period"), font={"size": 12}), *beside(*areas)]
+    notes = [_above(period, _("one period"), font={"size": 12})]
     at = {"text": "<i>t</i> = %{x:.4~g} s"}
     along = _axis(_("time after release <i>t</i> [s]"), (0, end), anchor="free", position=0, unifiedhovertitle=at)
     return _laid_out(
@@ -85,6 +86,7 @@ def time_panels(panels: Sequence[Panel], *, period: float, periods: int, colors:
         meta={"cursor": "time", "period": period, "periods": periods},
         xaxis=along,
         **axes,
+        **legend(1 + _PERIOD_HEIGHT),
         # One small hover box for all panels hides little of the curves.
         hovermode="x unified",
         hoversubplots="axis",
@@ -110,16 +112,14 @@ def phase_plane(
         for orbit, velocity in zip(orbits, velocities, strict=True)
     ]
     centred = {**_zero_line(colors), "nticks": 7}
-    places = roomy([orbit.values for orbit in orbits])
-    named = [(o.label, o.ink, o.values, velocity) for o, velocity in zip(orbits, velocities, strict=True)]
     return _laid_out(
         traces,
         colors,
-        xaxis=_axis(_("displacement [cm]"), places, **centred),
+        xaxis=_axis(_("displacement [cm]"), roomy([orbit.values for orbit in orbits]), **centred),
         yaxis=_axis(_("velocity [cm/s]"), roomy(velocities), **centred),
         hovermode="closest",
         meta={"cursor": "orbit", "period": period, "periods": periods},
-        annotations=beside(Area(named, places, roomy(velocities), _HEIGHT, width=15)),
+        **legend(),
     )
 
 
@@ -155,7 +155,7 @@ def friction_bars(
 
 
 def roomy(arrays: Sequence[np.ndarray]) -> tuple[float, float]:
-    """Return the range of all arrays, widened by a seventh on both sides for a label."""
+    """Return the range of all arrays, widened by a seventh on both sides."""
     least, most = min(map(np.min, arrays)), max(map(np.max, arrays))
     margin = (most - least) / 7 or 1.0
     return float(least - margin), float(most + margin)
@@ -196,19 +196,7 @@ def _domains(panels: int) -> list[list[float]]:
     return [[low, min(1.0, high)] for low, high in reversed(lowest_first)]
 
 
-def _area(panel: Panel, axis: str, end: float, height: float, width: float) -> Area:
-    """Return the area in which the labels of a panel are placed, with its curves and its filled bands."""
-    t = np.linspace(0, end, len(panel.curves[0].values))
-    bands: dict[str, list[np.ndarray]] = {}
-    top = np.zeros(len(t))
-    for curve in (curve for curve in panel.curves if curve.stacked):
-        low, top = top, top + curve.values
-        bands[curve.label] = [bands.get(curve.label, [low])[0], top]
-    named = [(curve.label, curve.ink, t, curve.values) for curve in panel.curves if curve.label and not curve.stacked]
-    return Area(named, (0, end), panel.range, height, axis, width, bands)
-
-
-def _trace(curve: Curve, panel: Panel, axis: str, end: float, *, several: bool) -> dict[str, Any]:
+def _trace(curve: Curve, panel: Panel, axis: str, end: float, *, several: bool, named: bool) -> dict[str, Any]:
     # TRANSLATORS: at a curve under the pointer: "hoop: 3.2 cm".
     hover = _("{name}: {value} {unit}").format(name=curve.name, value="%{y}", unit=panel.unit) + NO_NAME
     if several and curve is panel.curves[0]:
@@ -221,7 +209,9 @@ def _trace(curve: Curve, panel: Panel, axis: str, end: float, *, several: bool) 
         "dx": end / (len(curve.values) - 1),
         "y": curve.values.astype(np.float32),
         "yaxis": axis,
-        "name": curve.name,
+        "name": curve.label,
+        "legendgroup": curve.label,
+        "showlegend": named,
         "mode": "lines",
         "line": curve.look,
         # By default Plotly writes a space before the colon.

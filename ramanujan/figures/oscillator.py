@@ -6,8 +6,7 @@ from typing import Any
 
 import numpy as np
 
-from ramanujan.figures import MASS_RATIO, NORMALIZED, Drawn, figure, line, marks
-from ramanujan.figures.labels import note
+from ramanujan.figures import MASS_RATIO, NORMALIZED, Drawn, figure, line, marks, note
 from ramanujan.translation import _
 
 

@@ -6,9 +6,8 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from ramanujan.figures import Drawn, figure, line, logarithmic, marks
-from ramanujan.figures.labels import Area, beside, note
-from ramanujan.figures.logarithmic import Colors, axis, level_line, log_axis, logarithm, look_of, within
+from ramanujan.figures import Drawn, figure, legend, line, logarithmic, marks, note
+from ramanujan.figures.logarithmic import Colors, axis, level_line, log_axis, look_of, within
 from ramanujan.numerals import number
 from ramanujan.translation import _, ngettext
 
@@ -79,7 +78,7 @@ def error_growth(
         [exact[0][0], exact[0][-1], *(end for reach, *_errors in curves.values() for end in reach[[0, -1]])]
     )
     x_range = float(ends.min()), float(ends.max())
-    traces, areas, shapes = [], [], []
+    traces, shapes = [], []
     axes: dict[str, Any] = {"xaxis": axis(_("periods"), x_range, type="log", dtick=1, anchor="y2")}
     for name_of_axis, place, title, most, kind in (
         ("y", _UPPER, _("energy error<br>|<i>E</i>/<i>E</i>₀ − 1|"), _ENERGY_MOST, 1),
@@ -93,19 +92,23 @@ def error_growth(
             lines.append(closed)
         drawn_axis, scale, low = logarithmic.axis_with_room(title, [curve.errors for curve in lines], most)
         for curve in lines:
-            own = {"name": curve.name, "yaxis": name_of_axis, "opacity": curve.opacity, "hovertemplate": hover}
+            own = {
+                "name": curve.name,
+                "legendgroup": curve.name,
+                "showlegend": name_of_axis == "y2",
+                "yaxis": name_of_axis,
+                "opacity": curve.opacity,
+                "hovertemplate": hover,
+            }
             own |= {"xhoverformat": ".4~g", "customdata": _written(curve.errors)}
             drawn = line(curve.periods, scale(curve.errors), color=curve.color, width=curve.width, dash=curve.dash)
             traces.append(drawn | own)
-        named = [(curve.name, curve.color, np.log10(curve.periods), scale(curve.errors)) for curve in lines]
-        low_end, high_end = drawn_axis["range"]
-        low_share, high_share = place["domain"]
-        areas.append(Area(named, x_range, (low_end, high_end), _HIGH * (high_share - low_share), name_of_axis))
+        low_end, _high_end = drawn_axis["range"]
         zone = {"x0": 0, "x1": 1, "xref": "x domain", "y0": low_end, "y1": low, "yref": name_of_axis}
         gray = {"type": "rect", "line": {"width": 0}, "fillcolor": colors["faint"], "opacity": 0.4, "layer": "below"}
         shapes.append(gray | zone)
         axes[f"yaxis{name_of_axis[1:]}"] = drawn_axis | place
-    return figure(traces, colors, _HIGH + 64, margin=_MARGIN, annotations=beside(*areas), shapes=shapes, **axes)
+    return figure(traces, colors, _HIGH + 64, margin=_MARGIN, shapes=shapes, **legend(), **axes)
 
 
 def work_precision(
@@ -118,8 +121,6 @@ def work_precision(
     colors: Colors,
 ) -> Drawn:
     """Draw error against cost, both logarithmic: solid with filled marks in float64, dotted with open ones in float32.
-
-    Measured curves may cross anywhere, so their names are in a legend.
 
     Parameters
     ----------
@@ -162,14 +163,12 @@ def work_precision(
     ends = min(reached), max(reached)
     traces.append(level_line(ends, tolerance, _("largest error allowed"), colors))
     x_range = float(np.log10(ends[0])) - 0.1, float(np.log10(ends[1])) + 0.1
-    legend = {"orientation": "h", "x": 0, "y": 1.02, "yanchor": "bottom"}
     return figure(
         traces,
         colors,
         544,
         margin=_MARGIN,
-        showlegend=True,
-        legend=legend,
+        **legend(),
         xaxis=axis(titles[0], x_range, type="log", dtick=1),
         yaxis=log_axis(titles[1], shown),
     )
@@ -232,15 +231,10 @@ def phase_errors(periods: Sequence[float], curves: Mapping[str, Sequence[float]]
         traces.append(line(list(periods), list(errors), color=color, width=3) | own | points)
     lost = _("half a turn: phase lost")
     traces.append(level_line([periods[0], periods[-1]], np.pi, lost, colors))
-    named = [
-        (each["name"], each["line"]["color"], np.log10(each["x"]), logarithm(np.array(each["y"]))) for each in traces
-    ]
     x_range = float(np.log10(periods[0])), float(np.log10(periods[-1]))
     x_axis = axis(_("periods"), x_range, type="log", dtick=3)
     y_axis = log_axis(_("phase error [rad]"), (1e-17, 200.0))
-    low, high = y_axis["range"]
-    notes = beside(Area(named, x_range, (low, high), 320))
-    return figure(traces, colors, 384, margin=_MARGIN, xaxis=x_axis, yaxis=y_axis, annotations=notes)
+    return figure(traces, colors, 384, margin=_MARGIN, xaxis=x_axis, yaxis=y_axis, **legend())
 
 
 def _points(x: Iterable[float], y: Iterable[float]) -> list[list[str]]:

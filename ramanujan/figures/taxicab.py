@@ -5,8 +5,7 @@ from typing import Any
 
 import numpy as np
 
-from ramanujan.figures import NO_NAME, NORMALIZED, Drawn, figure, horizontal_bars, line, marks
-from ramanujan.figures.labels import note
+from ramanujan.figures import NO_NAME, NORMALIZED, Drawn, figure, horizontal_bars, line, marks, note
 from ramanujan.figures.oscillator import Mark, over_ratios, pointed
 from ramanujan.translation import _
 

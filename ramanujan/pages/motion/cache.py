@@ -36,10 +36,10 @@ CONTACTS = {
 }
 """Contact → the two bodies that touch there."""
 _CM = 100.0
-# Hoop and lower cylinder move together: one line is broad, the other dashed on top of it, with one common label.
+# Hoop and lower cylinder move together: one line is broad, the other dashed on top of it.
 _LINES: dict[str, dict[str, Any]] = {
-    "hoop": {"width": 5.0, "label": _("lower<br>rollers")},
-    "cylinder": {"dash": "6px 6px", "label": ""},
+    "hoop": {"width": 5.0},
+    "cylinder": {"dash": "6px 6px"},
 }
 _ENERGIES = {"": _("{body}"), "translation": _("{body}, translation"), "rotation": _("{body}, rotation")}
 """Kind of energy → template for the name of a body's energy."""
@@ -108,7 +108,7 @@ def _energy(motion: Record, colors: Mapping[str, str]) -> Drawn:
         curve = _of_body(body, values * 1e3, colors, stacked=True, hatched=kind == "rotation")
         curves.append(replace(curve, name=energy_name(key)))
     total = 1e3 * motion.total_energy
-    curves.append(Curve(_("total energy"), total, colors["ink"], _("total energy"), colors["ink"], width=3))
+    curves.append(Curve(_("total energy"), total, colors["ink"], _("total energy"), width=3))
     # Leave a sixth above the total for the names of the periods.
     return _over_time(motion, [Panel(_("energy"), "mJ", curves, (0.0, float(total[0]) * 7 / 6))], colors)
 
@@ -124,7 +124,7 @@ def _momentum(motion: Record, colors: Mapping[str, str]) -> Drawn:
         "<i>p</i><sub>Φ</sub><i>/R</i>": (motion.momenta["p_Phi"] / motion.oscillator.radius, "primary", "10px 6px"),
     }
     for name, (values, color, dash) in conserved.items():
-        curves.append(Curve(name, values, colors[color], name, colors[color], width=4, dash=dash))
+        curves.append(Curve(name, values, colors[color], name, width=4, dash=dash))
     return _over_time(motion, [_panel(_("momentum"), "kg·m/s", curves)], colors)
 
 
@@ -155,8 +155,7 @@ def _contact_curve(contact: str, values: np.ndarray, colors: Mapping[str, str]) 
 
 
 def _of_body(body: str, values: np.ndarray, colors: Mapping[str, str], **look: Any) -> Curve:
-    look = {"label": PARTS[body], "ink": colors[f"{body}_ink"], **look}
-    return Curve(PARTS[body], values, colors[body], **look)
+    return Curve(PARTS[body], values, colors[body], PARTS[body], **look)
 
 
 def _panel(title: str, unit: str, curves: list[Curve]) -> Panel:
