@@ -1,4 +1,5 @@
-// Draws Ω²m/k as a function of the mass ratio, as SVG: the curve, its limits, two marked machines, and a ring at the present one.
+// Draws Ω²m/k as a function of the mass ratio, as SVG: the curve, its limits, two marked machines, and a ring at the present
+// machine.
 
 import { bus } from "../components/bus.js";
 import { DECIMAL } from "../components/language.js";
@@ -20,18 +21,21 @@ export function drawCurve(svg, { range, light, heavy, equal, unit, words, shape 
   const path = (some, height) => `M${some.map((ratio) => `${x(ratio).toFixed(2)} ${y(height(ratio)).toFixed(2)}`).join("L")}`;
 
   const add = (name, attributes, text = "") => Object.assign(element(name, attributes, svg), { textContent: text });
-  const withMark = (number) => String(number).replace(".", DECIMAL);
+
+  // The axes.
+  const label = (number) => String(number).replace(".", DECIMAL);
   for (const ratio of TICKS.x) {
     add("line", { class: "grid", x1: x(ratio), x2: x(ratio), y1: BOX.top, y2: BOX.bottom });
-    add("text", { class: "axis", x: x(ratio), y: BOX.bottom + 16 }, withMark(ratio));
+    add("text", { class: "axis", x: x(ratio), y: BOX.bottom + 16 }, label(ratio));
   }
   for (const height of TICKS.y) {
     add("line", { class: "grid", x1: BOX.left, x2: BOX.right, y1: y(height), y2: y(height) });
-    add("text", { class: "scale", x: BOX.left - 6, y: y(height) + 4 }, withMark(height));
+    add("text", { class: "scale", x: BOX.left - 6, y: y(height) + 4 }, label(height));
   }
   add("text", { class: "axis", x: (BOX.left + BOX.right) / 2, y: BOX.bottom + 34 }, words.axis);
   add("text", { x: 4, y: BOX.top + 2 }, "Ω²m/k");
 
+  // The curve with its limits. Above the first of these points, the asymptote is far from the curve.
   const low = ratios.filter((ratio) => heavy / ratio < 0.75 * light);
   add("path", { class: "limit", d: path([least, most], () => light) });
   add("path", { class: "limit", d: path(low, (ratio) => heavy / ratio) });
@@ -41,6 +45,7 @@ export function drawCurve(svg, { range, light, heavy, equal, unit, words, shape 
   add("text", { class: "scale unity", x: BOX.right, y: y(1) - 6 }, words.step);
   add("path", { class: "line", d: path(ratios, value) });
 
+  // The marked machines, with lines from their labels, and the present machine.
   add("circle", { class: "equal", cx: x(equal), cy: y(value(equal)), r: 5 });
   add("line", { x1: x(0.7), x2: x(equal) - 5, y1: y(0.9), y2: y(value(equal)) + 5 });
   add("text", { class: "scale", x: x(0.68), y: y(0.87) }, words.equal);

@@ -82,7 +82,7 @@ def draw_derivation() -> None:
     if display_mode.is_projector():
         draw_six_steps()
         return
-    st.header(texts.steps_heading(), anchor=False)
+    st.header(texts.STEPS_HEADING, anchor=False)
     lines, derivation = st.container(key="steps"), navigation.PAGES["derivation"]
     st.page_link(derivation.file, label=_("The whole derivation, in many ways"), icon=f":material/{derivation.icon}:")
     with lines:
@@ -131,15 +131,15 @@ def draw_lesson_link() -> None:
 def draw_curve() -> None:
     """Draw the Ω² curve with a ring at the current machine."""
     base = cache.curve()
-    st.header(texts.curve_heading(), anchor=False)
-    st.markdown(texts.curve_text())
+    st.header(texts.CURVE_HEADING, anchor=False)
+    st.markdown(texts.CURVE_TEXT)
     # The ring shows the current machine, so the figure is sent to a page only once.
     alternative = texts.curve_alternative(base)
     drawings.plot(cache.figure(theme.current()), "curve", alternative)
     if shows_numbers():
         describe_machine()
     with st.container(key="click_curve"):
-        st.caption(texts.curve_hint())
+        st.caption(texts.CURVE_HINT)
 
 
 @st.fragment(key="present")

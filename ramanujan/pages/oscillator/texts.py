@@ -6,6 +6,16 @@ from ramanujan.pages.oscillator import cache
 from ramanujan.pages.oscillator.story import turns_gained
 from ramanujan.translation import _
 
+CURVE_HEADING = _("When is it in step with the plain mass?")
+CURVE_TEXT = _(
+    "The plain mass $m$ on the spring $k$ has the angular frequency $\\sqrt{{k/m}}$, the machine has "
+    "$\\Omega$. They are in step where $\\Omega^2m/k=1$. This depends only on the mass ratio "
+    "$\\varepsilon=m'/m$."
+).format()
+"""The explanation of the curve, with formulas between dollar signs."""
+CURVE_HINT = _("Click on the curve to build the machine with that mass ratio.")
+STEPS_HEADING = _("The derivation in six steps")
+
 
 def question() -> str:
     """Return the question of the page in Markdown; it compares the machine with the plain mass."""
@@ -16,20 +26,6 @@ def question() -> str:
     return sentences.format(periods=number(1 / float(turns_gained(1.0)), 2))
 
 
-def curve_heading() -> str:
-    """Return the heading of the curve."""
-    return _("When is it in step with the plain mass?")
-
-
-def curve_text() -> str:
-    """Return the explanation of the curve, with formulas between dollar signs."""
-    return _(
-        "The plain mass $m$ on the spring $k$ has the angular frequency $\\sqrt{{k/m}}$, the machine has "
-        "$\\Omega$. They are in step where $\\Omega^2m/k=1$. This depends only on the mass ratio "
-        "$\\varepsilon=m'/m$."
-    ).format()
-
-
 def curve_alternative(curve: Curve) -> str:
     """Return the text alternative of the curve."""
     sentences = _(
@@ -37,13 +33,3 @@ def curve_alternative(curve: Curve) -> str:
         "rollers make the machine slower. It is {equal} at equal masses, and exactly 1 at one ratio only."
     )
     return sentences.format(light=curve.light, heavy=curve.heavy, equal=cache.equal_masses_value())
-
-
-def curve_hint() -> str:
-    """Return the hint about clicks on the curve."""
-    return _("Click on the curve to build the machine with that mass ratio.")
-
-
-def steps_heading() -> str:
-    """Return the heading of the short derivation."""
-    return _("The derivation in six steps")
