@@ -72,20 +72,20 @@ class Formula:
             raise ValueError(f"numbers side by side: {text!r}")
         place, python, self._numbers, self._cut_off, self.names = 0, "", [], {}, []
         while place < len(text):
-            found = _TOKEN.match(text, place)
-            if found is None:
+            match = _TOKEN.match(text, place)
+            if match is None:
                 raise ValueError(f"not understood: {text[place:]!r} in {text!r}")
-            place = found.end()
-            if found["number"]:
+            place = match.end()
+            if match["number"]:
                 python += f"numbers[{len(self._numbers)}]"
-                if r"\ldots" in found[0]:
-                    self._cut_off[len(self._numbers)] = last_place(found[0])
-                self._numbers.append(mpmath.mpf(f"{found['number']}e{found['power'] or 0}"))
-            elif found["name"]:
+                if r"\ldots" in match[0]:
+                    self._cut_off[len(self._numbers)] = last_place(match[0])
+                self._numbers.append(mpmath.mpf(f"{match['number']}e{match['power'] or 0}"))
+            elif match["name"]:
                 python += f"names[{len(self.names)}]"
-                self.names.append(found["name"])
+                self.names.append(match["name"])
             else:
-                python += _PYTHON[found["mark"]]
+                python += _PYTHON[match["mark"]]
         self._python = compile(python, text, "eval")
 
     def cut_off(self, values: Mapping[str, Number]) -> Number:
@@ -112,8 +112,8 @@ class Formula:
             "matrix": lambda rows: np.array(rows, dtype=object),
             "det": lambda rows: mpmath.det(mpmath.matrix(rows)),
         }
-        found = eval(self._python, known)
-        return np.array(found, dtype=object) if isinstance(found, tuple) else found
+        value = eval(self._python, known)
+        return np.array(value, dtype=object) if isinstance(value, tuple) else value
 
 
 def last_place(decimal: str) -> mpmath.mpf:
@@ -125,14 +125,14 @@ def last_place(decimal: str) -> mpmath.mpf:
 def equations(display: str, newline: str = "") -> list[str]:
     """Return the equations of one display, with the lines of a broken equation joined."""
     inside = MARGIN.sub("", display).removeprefix(r"\begin{aligned}").removesuffix(r"\end{aligned}")
-    found: list[str] = []
+    joined: list[str] = []
     for line in inside.split(newline) if newline else re.split(r"\\\\\[[\d.]+em\]", inside):
         text = line.strip()
         if text.startswith(r"&\quad"):
-            found[-1] += " " + text.removeprefix(r"&\quad").strip()
+            joined[-1] += " " + text.removeprefix(r"&\quad").strip()
         else:
-            found.append(text.removeprefix("&").replace("&=", "="))
-    return [each.strip() for each in found]
+            joined.append(text.removeprefix("&").replace("&=", "="))
+    return [each.strip() for each in joined]
 
 
 def sides(equation: str) -> tuple[str, str, str, bool]:

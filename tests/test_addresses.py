@@ -153,8 +153,8 @@ def test_a_valid_address_is_unchanged_by_a_run(name):
     assert not OWN[name].keys() & set(app.query_params)
     app.switch_page(PAGES[name].file).run()
     # The three modes restart with their page, and only the browser knows the visible ones.
-    kept = {key: text for key, text in address.items() if not key.startswith("modes_")}
-    assert {key: app.query_params.get(key) for key in kept} == kept
+    expected = {key: text for key, text in address.items() if not key.startswith("modes_")}
+    assert {key: app.query_params.get(key) for key in expected} == expected
 
 
 def test_every_option_has_a_short_ascii_id():

@@ -262,12 +262,12 @@ def test_a_right_answer_to_one_question_is_wrong_for_the_others(name):
 
 @pytest.mark.parametrize("name", QUESTIONS)
 def test_the_example_has_the_right_unit_and_is_not_the_answer(name):
-    asked = question(name)
-    assert judge(name, asked.example).kind == "wrong"
-    example, right = (zero_on_the_right(text) for text in (asked.example, RIGHT[name][0]))
+    posed = question(name)
+    assert judge(name, posed.example).kind == "wrong"
+    example, right = (zero_on_the_right(text) for text in (posed.example, RIGHT[name][0]))
     assert unit(parse(example)) == unit(parse(right))
-    assert asked.prompt().endswith("?")
-    assert asked.prompt().count("$") % 2 == 0
+    assert posed.prompt().endswith("?")
+    assert posed.prompt().count("$") % 2 == 0
 
 
 @pytest.mark.parametrize("name", ["", "Ω", None, ["a"], 3])
@@ -458,9 +458,9 @@ def test_each_result_has_one_mistake(name):
         for (one, first), (other, second) in combinations(known, 2):
             assert not agree(first, second), (one, other)
     results = [(each.mistake, it.of_machine(each.machine)) for each in machines.altered_machines()]
-    found = [(mistake, it.values(result)) for mistake, result in results if result not in (None, 0)]
+    values_of_mistakes = [(mistake, it.values(result)) for mistake, result in results if result not in (None, 0)]
     for hint, values in it.altered:
-        kinds = {mistake.id for mistake, others in found if agree(values, others)}
+        kinds = {mistake.id for mistake, others in values_of_mistakes if agree(values, others)}
         assert len(kinds) == 1 or "other moments of inertia" in hint, (hint, kinds)
 
 

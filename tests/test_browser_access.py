@@ -198,8 +198,8 @@ def test_everyone_can_use_and_read_a_page(visit, server, name):
     assert audit(page, OF_THE_SCREEN) == []
     if name == "derivation":
         check_focus(page, "light", FOCUSED[1:])  # the sidebar is closed
-    for found in (OUTSIDE, OVERLAPS):  # Plotly redraws some time after a change of its width
-        until(page, f"() => ({found})().length === 0")
+    for overlaps in (OUTSIDE, OVERLAPS):  # Plotly redraws some time after a change of its width
+        until(page, f"() => ({overlaps})().length === 0")
     for button in page.locator(FILES).all():
         button.click(force=True)
     settle(page)

@@ -246,8 +246,8 @@ def test_a_class_plays_the_short_lesson_from_a_phone_and_downloads_its_votes(scr
             continue
         # The phone also shows the machine and the reply to the student's answer.
         rerun(phone)
-        said = "it was your answer" if own == stop.answer() else stop.reply(own).replace("*", "")[:30]
-        phone.get_by_text(said).first.wait_for()
+        sentence = "it was your answer" if own == stop.answer() else stop.reply(own).replace("*", "")[:30]
+        phone.get_by_text(sentence).first.wait_for()
         phone.locator("pre, .katex" if stop.exhibit else "svg.machine").first.wait_for()
         widths = [page.evaluate("document.querySelector('[data-testid=stMain]').scrollWidth") for page in (phone, desk)]
         assert max(widths) <= 390
@@ -260,8 +260,10 @@ def test_a_class_plays_the_short_lesson_from_a_phone_and_downloads_its_votes(scr
     with desk.expect_download() as download:
         desk.get_by_role("button", name="Download as CSV").click()
     rows = list(csv.DictReader(download.value.path().read_text(encoding="utf-8").splitlines()))
-    told = [(row["stop"], row["option"], row["right"], int(row["first_vote"]), row["second_vote"]) for row in rows]
-    assert told == [
+    downloaded = [
+        (row["stop"], row["option"], row["right"], int(row["first_vote"]), row["second_vote"]) for row in rows
+    ]
+    assert downloaded == [
         (stop.id, option, "yes" if option == stop.answer() else "no", votes[option], "")
         for stop, votes in zip(STOPS, cast, strict=True)
         for option in stop.options

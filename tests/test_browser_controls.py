@@ -51,8 +51,8 @@ def hold(page, key: str, by: int, steps: int) -> tuple[float, float]:
 
 
 def middle(page, place: str) -> list[float]:
-    found = page.locator(place).bounding_box()
-    return [found["x"] + found["width"] / 2, found["y"] + found["height"] / 2]
+    box = page.locator(place).bounding_box()
+    return [box["x"] + box["width"] / 2, box["y"] + box["height"] / 2]
 
 
 # ---- the sliders
@@ -103,9 +103,9 @@ def check_copied_link(page) -> None:
     page.locator(".st-key-link").get_by_role("button", name="Share").click()
     page.locator(".st-key-link").get_by_role("button", name="Copy link").click()
     expect(page.locator(".st-key-link .report")).not_to_be_empty()
-    said = page.locator(".st-key-link .report").inner_text()
-    assert said in ("Copied.", "Copy this text:")
-    assert said == "Copied." or page.locator(".st-key-link input").input_value() == page.url
+    report = page.locator(".st-key-link .report").inner_text()
+    assert report in ("Copied.", "Copy this text:")
+    assert report == "Copied." or page.locator(".st-key-link input").input_value() == page.url
 
 
 def check_away_and_back(page) -> None:

@@ -88,11 +88,11 @@ def check_back_and_arrows(page) -> None:
 
 def check_clickers(page) -> None:
     """Check that clickers and the space bar turn steps, that typing does not, and that the step is announced."""
-    said = page.locator(".st-key-services [role=status]")
-    assert "Step 10 of " not in said.text_content()
+    status = page.locator(".st-key-services [role=status]")
+    assert "Step 10 of " not in status.text_content()
     page.get_by_role("button", name="Next").click()
     heading = page.locator(STEP).inner_text().split(". ", 1)[1]
-    expect(said).to_contain_text(re.compile(rf"^Step 10 of .*{re.escape(heading)}$"))
+    expect(status).to_contain_text(re.compile(rf"^Step 10 of .*{re.escape(heading)}$"))
     assert page.get_by_role("slider", name="Step").get_attribute("aria-valuetext").startswith("Step 10 of ")
     page.evaluate("document.activeElement.blur()")
     for key, expected in (("PageDown", 11), ("Space", 12), ("PageUp", 11), ("Shift+Space", 10), ("ArrowLeft", 9)):
@@ -121,7 +121,7 @@ def test_three_machines_run_and_a_formula_is_judged_and_hostile_text_stays_text(
     check_three_machines(page)
     page.emulate_media(reduced_motion="reduce")
     box = page.get_by_label("Your formula")
-    for text, told in (
+    for text, verdict in (
         ("4kR²φ²", "leave out the ½"),
         ("<img src=x onerror=alert(1)>", "Type only the right side of the equation"),
         (":red[x]", "“red” is not known here"),
@@ -130,7 +130,7 @@ def test_three_machines_run_and_a_formula_is_judged_and_hostile_text_stays_text(
         box.fill(text)
         page.keyboard.press("Enter")
         settle(page)
-        assert told in page.locator("[data-testid=stAlert]").inner_text()
+        assert verdict in page.locator("[data-testid=stAlert]").inner_text()
         assert page.locator("[data-testid=stAlert] img").count() == 0
     # A right answer is listed, and the question remains.
     page.get_by_text("Solved so far: 1 of").wait_for()
@@ -152,7 +152,7 @@ def check_three_machines(page) -> None:
 def test_the_present_route_can_be_downloaded_and_its_formulas_fit_a_phone(visit):
     page = visit("derivation?route=energy&values=numbers")
     assert press(page, "ArrowRight") == 2
-    seen = page.locator(STEP).inner_text().partition(". ")[2].partition("’")[0]
+    heading = page.locator(STEP).inner_text().partition(". ")[2].partition("’")[0]
     page.locator(".st-key-files button").first.click()
     settle(page)
     suffixes = {"latex": "tex", "slides": "slides.tex", "step": "step.tex", "markdown": "md", "notebook": "ipynb"}
@@ -163,7 +163,7 @@ def test_the_present_route_can_be_downloaded_and_its_formulas_fit_a_phone(visit)
             page.locator(f".st-key-file_{kind} button").click()
         assert download.value.suggested_filename == f"ramanujan-energy-numbers.{suffix}"
         text = Path(download.value.path()).read_text(encoding="utf-8")
-        assert seen in text
+        assert heading in text
         assert (ROUTES["energy"]["spring_mass"].heading in text) == (kind != "step")
         assert ("tikzpicture" in text) == (kind in ("slides", "step"))
         if kind == "notebook":
@@ -264,11 +264,11 @@ def test_headings_keep_their_place_beside_the_machine_and_every_body_has_its_ink
     glows = """() => [...document.querySelectorAll('.st-key-step_4 .katex-html [style*="color"]')]
         .filter((term) => getComputedStyle(term).textShadow !== "none").map((term) => term.style.color)"""
     assert set(page.evaluate(glows)) == {green}
-    alone = []
+    broken = []
     for width in range(800, 1300, 45):
         page.set_viewport_size({"width": width, "height": 720})
-        alone += page.evaluate(ALONE)
-    assert alone == []
+        broken += page.evaluate(ALONE)
+    assert broken == []
     page.get_by_role("slider", name="Step").fill("14")
     page.get_by_role("button", name="Next").click()
     page.wait_for_url("**/1729*")

@@ -63,8 +63,8 @@ def test_theme_and_page_changes_leave_nothing_behind(visit: Callable) -> None:
     def heard() -> Counter:
         """Return the number of listeners of each topic."""
         bus = client.send("Runtime.evaluate", {"expression": "globalThis.ramanujan"})["result"]["objectId"]
-        found = client.send("DOMDebugger.getEventListeners", {"objectId": bus})["listeners"]
-        return Counter(each["type"] for each in found)
+        listeners = client.send("DOMDebugger.getEventListeners", {"objectId": bus})["listeners"]
+        return Counter(each["type"] for each in listeners)
 
     themes = itertools.cycle(("dark", "light"))
 

@@ -53,7 +53,7 @@ def test_aborted_requests_do_not_damage_the_files_of_other_visitors(fresh, chrom
     """
     address = fresh
     parts, chance = urlsplit(address), random.Random(1729)
-    asked = [(path, coding) for path in ("/", *FILES) for coding in UNPACK]
+    requests = [(path, coding) for path in ("/", *FILES) for coding in UNPACK]
 
     def leave(path: str, coding: str, after: float) -> None:
         with socket.create_connection((parts.hostname, parts.port)) as client:
@@ -73,15 +73,15 @@ def test_aborted_requests_do_not_damage_the_files_of_other_visitors(fresh, chrom
         return None if content == (FOLDER / path[1:]).read_bytes() else f"{path} in {coding}"
 
     with ThreadPoolExecutor(30) as pool:
-        chosen = [*chance.choices(asked, k=590), *([("/", "gzip")] * 10)]
+        chosen = [*chance.choices(requests, k=590), *([("/", "gzip")] * 10)]
         list(pool.map(lambda each: leave(*each, chance.uniform(0, 0.03)), chosen))
         for _ in range(5):
             page = chromium.new_page()
             page.goto(address, wait_until="commit", timeout=60_000)
             page.wait_for_timeout(chance.uniform(0, 300))
             page.close()
-        answers = list(pool.map(lambda each: compare(*each), asked))
-    assert answers[len(UNPACK) :] == [None] * (len(asked) - len(UNPACK))
+        answers = list(pool.map(lambda each: compare(*each), requests))
+    assert answers[len(UNPACK) :] == [None] * (len(requests) - len(UNPACK))
     assert len({*answers[: len(UNPACK)]}) == 1
     assert f"{modules.place()}/begin.js" in answers[0]
 
@@ -114,6 +114,6 @@ def test_a_page_makes_no_foreign_request_and_sends_no_referrer(fresh):
     assert page.count(b"<script>") == policy["script-src"].count("'sha256-") > 0
     for path in ("", FILES[0], "/_stcore/health", f"/{modules.place()}/begin.js"):
         assert get(f"{fresh}{path}")[0]["X-Content-Type-Options"] == "nosniff", path
-    for asked, is_secure in {"http": False, "https": True}.items():
-        cookies = [get(f"{fresh}{path}", X_Forwarded_Proto=asked)[0]["Set-Cookie"] for path in ("/", "/motion")]
+    for requests, is_secure in {"http": False, "https": True}.items():
+        cookies = [get(f"{fresh}{path}", X_Forwarded_Proto=requests)[0]["Set-Cookie"] for path in ("/", "/motion")]
         assert [cookie.endswith("; Secure") for cookie in cookies] == [is_secure] * 2

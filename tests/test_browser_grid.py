@@ -40,7 +40,7 @@ def check_calm(page, name: str) -> None:
 def check_widths(page) -> None:
     """Check that no words overlap at any width."""
     page.evaluate(WITHOUT_FIGURES)
-    found = {}
+    overlaps = {}
     for width in sorted(WIDTHS, key=WITH_FIGURES.__contains__):
         page.evaluate("(drawn) => (withoutFigures.disabled = drawn)", width in WITH_FIGURES)
         page.set_viewport_size({"width": width, "height": 900})
@@ -50,8 +50,8 @@ def check_widths(page) -> None:
                 break
             page.wait_for_timeout(250)
         else:
-            found[width] = page.evaluate(OVERLAPS)
-    assert found == {}
+            overlaps[width] = page.evaluate(OVERLAPS)
+    assert overlaps == {}
 
 
 def test_a_page_whose_end_does_not_arrive_is_shown_without_it(visit):

@@ -167,8 +167,8 @@ def test_home_and_end_and_arrows_move_the_slab(picture):
         picture.page.keyboard.press(key)
         next_frame(picture.page)
         assert slab_over_block(picture.page) == pytest.approx(value, abs=0.01)
-        said = picture.find("root.querySelector('.moving .body.slab').getAttribute('aria-valuenow')")
-        assert float(said) == pytest.approx(value)
+        shown = picture.find("root.querySelector('.moving .body.slab').getAttribute('aria-valuenow')")
+        assert float(shown) == pytest.approx(value)
     picture.page.wait_for_function("sent.at(-1)?.at(-1) === 9")
 
 

@@ -81,8 +81,8 @@ def check_stage(visitor: Visitor) -> Oscillator:
     """Compare the stage's readouts with the core's values for the drawn machine. Return the machine."""
     known = visitor.page.evaluate("ramanujan.last('drawn/oscillator').parameters")
     machine = Oscillator(**{name: known[name] for name in ("m", "m_prime", "k", "radius")})
-    said = inside(visitor.page, "root.querySelector('[data-read=normalized]').textContent")
-    assert float(said) == pytest.approx(machine.normalized_frequency_squared, abs=1e-6)
+    normalized = inside(visitor.page, "root.querySelector('[data-read=normalized]').textContent")
+    assert float(normalized) == pytest.approx(machine.normalized_frequency_squared, abs=1e-6)
     return machine
 
 
@@ -103,9 +103,9 @@ def test_first_page_drag_type_drag_the_slab_and_bring_both_into_step(at):
     page.mouse.down()
     page.mouse.move(place["x"] - 60, place["y"], steps=5)
     next_frame(page)
-    held = slab_over_block(page)
-    assert held == pytest.approx(page.evaluate("ramanujan.last('drawn/oscillator').parameters.compression") * 100)
-    assert held < 7
+    drawn = slab_over_block(page)
+    assert drawn == pytest.approx(page.evaluate("ramanujan.last('drawn/oscillator').parameters.compression") * 100)
+    assert drawn < 7
     page.mouse.up()
     visitor.wait("location.search.includes('compression=')")
     visitor.click("button", "Bring them into step")

@@ -89,8 +89,8 @@ def test_every_text_is_translated_and_longer_words_fit_on_a_screen_and_on_a_narr
         check_narrow(page)
         # Negative control: a text over another one is reported.
         covers = page.evaluate(COVER)
-        found = page.evaluate(OVERLAPS)
-        assert all(any(cover in pair for pair in found) for cover in covers), found
+        overlaps = page.evaluate(OVERLAPS)
+        assert all(any(cover in pair for pair in overlaps) for cover in covers), overlaps
         client.detach()
 
 

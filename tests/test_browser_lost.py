@@ -124,10 +124,10 @@ def check_many_drags(page, late_by) -> None:
     page.mouse.wheel(0, -240)
     press_preset(page, "Light rollers")
     settle(page)
-    told = page.evaluate(PUBLISHED)
-    assert told["k"] == float(before)
-    assert page.evaluate(PRESENT) == told
-    assert told["m_prime"] == pytest.approx(0.1 * told["m"])
+    published = page.evaluate(PUBLISHED)
+    assert published["k"] == float(before)
+    assert page.evaluate(PRESENT) == published
+    assert published["m_prime"] == pytest.approx(0.1 * published["m"])
 
 
 def check_keys(page, late_by) -> None:
@@ -250,11 +250,11 @@ def check_keys_behind_the_slab(page, late_by) -> None:
         expected = 1 + presses / 100
         assert page.locator(M_PRIME).input_value() == f"{expected:.2f}".rstrip("0")
         assert float(address(page)["m_prime"][0]) == expected
-        told = page.evaluate(PUBLISHED)
-        assert told["m_prime"] == expected
-        held = float(page.locator(COMPRESSION).input_value())
-        assert told["compression"] == pytest.approx(held / 100)
-        assert float(address(page).get("compression", ["8"])[0]) == pytest.approx(held)
+        published = page.evaluate(PUBLISHED)
+        assert published["m_prime"] == expected
+        compression = float(page.locator(COMPRESSION).input_value())
+        assert published["compression"] == pytest.approx(compression / 100)
+        assert float(address(page).get("compression", ["8"])[0]) == pytest.approx(compression)
 
 
 NOTICE_AT_ONCE = """() => {

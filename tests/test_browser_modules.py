@@ -23,7 +23,7 @@ def run(bare: Bare, name: str, body: str, argument: object = None) -> object:
 
 
 def test_a_component_begins_once_is_updated_by_every_call_and_ends_with_the_last_one(page):
-    seen = run(
+    received = run(
         page,
         "begin",
         """
@@ -39,7 +39,7 @@ def test_a_component_begins_once_is_updated_by_every_call_and_ends_with_the_last
         return [...seen, bus.last("c")];
         """.replace("BUS", module("components/bus")),
     )
-    assert seen == [2, 2, "ended", 3]
+    assert received == [2, 2, "ended", 3]
 
 
 def test_a_published_value_remains_when_a_double_of_the_component_ends(page):

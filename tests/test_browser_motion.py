@@ -116,9 +116,9 @@ def check_hover_and_click(page):
     panel = panels.first.bounding_box()
     for share in (0.4, 0.45):
         page.mouse.move(panel["x"] + share * panel["width"], panel["y"] + 0.5 * panel["height"], steps=2)
-    told = page.locator(".js-plotly-plot .hoverlayer .bg").first
-    told.wait_for(state="attached")
-    covered = told.bounding_box()
+    hover = page.locator(".js-plotly-plot .hoverlayer .bg").first
+    hover.wait_for(state="attached")
+    covered = hover.bounding_box()
     area = sum(each["width"] * each["height"] for each in map(lambda panel: panel.bounding_box(), panels.all()))
     assert 0 < covered["width"] * covered["height"] < 0.4 * area
     # The label is beside the moment of the nearest drawn point.

@@ -72,12 +72,12 @@ class Phone:
 
 def check_arrival(phone: Phone) -> None:
     """Check that question, button, slider, machine and clock are visible together, also on a small phone."""
-    seen = (".st-key-story button", ".st-key-m_prime", ".st-key-stage svg.machine", ".st-key-stage svg.dial")
-    story = phone.page.locator(seen[0])
+    places = (".st-key-story button", ".st-key-m_prime", ".st-key-stage svg.machine", ".st-key-stage svg.dial")
+    story = phone.page.locator(places[0])
 
     def check_visible() -> None:
         expect(phone.page.get_by_text("Two machines, one spring")).to_be_in_viewport(ratio=1)
-        boxes = [phone.box(each) for each in seen]
+        boxes = [phone.box(each) for each in places]
         assert all(a["y"] + a["height"] <= b["y"] + 1 for a, b in pairwise(boxes))
         assert boxes[-1]["y"] + boxes[-1]["height"] <= phone.page.viewport_size["height"]
 

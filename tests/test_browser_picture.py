@@ -39,10 +39,10 @@ def machines(count: int) -> list[tuple[Oscillator, float]]:
         return math.exp(random.uniform(math.log(control.least), math.log(control.most))) * control.scale
 
     corners = product(*((PARAMETERS[key].least, PARAMETERS[key].most) for key in ("radius", "compression")))
-    found = [(Oscillator(2.0, 0.7, 30.0, R / 100), x0 / 100) for R, x0 in corners]
+    machines = [(Oscillator(2.0, 0.7, 30.0, R / 100), x0 / 100) for R, x0 in corners]
     for _ in range(count):
-        found.append((Oscillator(*map(anywhere, ("m", "m_prime", "k", "radius"))), anywhere("compression")))
-    return found
+        machines.append((Oscillator(*map(anywhere, ("m", "m_prime", "k", "radius"))), anywhere("compression")))
+    return machines
 
 
 TIMES = (0.0, 0.25, 0.5, 0.75, *np.random.default_rng(SEED).uniform(-1, 4, max(1, MACHINES)))

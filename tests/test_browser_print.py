@@ -52,15 +52,15 @@ def touching(sheet: PdfPage) -> list[str]:
         if right > left:
             glyphs.append((top, bottom, left, right, baseline.value, place))
     glyphs.sort(reverse=True)
-    found = []
+    lines = []
     for i, (_, bottom, left, right, line, place) in enumerate(glyphs):
         for top, _, start, end, below, other in glyphs[i + 1 :]:
             if top < bottom - CLOSEST:
                 break
             # Accents, indices and powers are close to their own letters, on the paper or in the text.
             if line - below > 4 and abs(place - other) > 9 and min(right, end) > max(left, start):
-                found.append(f"{text.get_text_range(place, 9)} is too close to {text.get_text_range(other, 9)}")
-    return found
+                lines.append(f"{text.get_text_range(place, 9)} is too close to {text.get_text_range(other, 9)}")
+    return lines
 
 
 def filled(sheet: PdfPage) -> float:
@@ -133,7 +133,7 @@ def test_a_worksheet_fills_its_pages_and_its_lines_do_not_touch(visit):
 def check_worksheet(pdf: PdfDocument, width: float) -> None:
     """Check a printed worksheet or key: its points, its pages, and the distance of its lines."""
     assert pdf[0].get_width() == pytest.approx(width, abs=1)
-    assert [found for sheet in pdf for found in touching(sheet)] == []
+    assert [lines for sheet in pdf for lines in touching(sheet)] == []
     texts = [words(sheet) for sheet in pdf]
     assert texts[0].startswith("Ramanujan’s oscillator")
     assert not [name for name in CONTROLS if name in "".join(texts)]

@@ -83,16 +83,16 @@ def test_the_file_is_small(file):
 def test_the_file_runs_from_disk(window, file):
     """The address sets the machine; boxes accept fractions and commas. Invalid texts cause a message."""
     page = opened(window(), f"{file.as_uri()}#m_prime=9/8&k=20,5&m=9&x=1&speed=7&from=block")
-    seen = page.evaluate(READ)
-    assert seen["drawn"]["ratio"] == 1.125
-    assert seen["drawn"]["parameters"]["k"] == 20.5
+    state = page.evaluate(READ)
+    assert state["drawn"]["ratio"] == 1.125
+    assert state["drawn"]["parameters"]["k"] == 20.5
     for sentence in ("The value of m in the address", "The value of speed in the address", "this page does not know"):
-        assert sentence in seen["note"]
+        assert sentence in state["note"]
     page.wait_for_function("location.hash === '#m_prime=1.125&k=20.5&from=block'")
     page.evaluate(TYPE, ["m_prime", "5/6"])
-    seen = page.evaluate(READ)
-    assert seen["drawn"]["normalized"] == pytest.approx(9 / 8, rel=1e-15)
-    assert seen["note"] == ""
+    state = page.evaluate(READ)
+    assert state["drawn"]["normalized"] == pytest.approx(9 / 8, rel=1e-15)
+    assert state["note"] == ""
     messages = {
         "x": "Type m′ as a number such as 1.25 or as a fraction such as 9/8.",
         "99": "m′ must be between 0.05 and 10\u202fkg.",
@@ -100,9 +100,9 @@ def test_the_file_runs_from_disk(window, file):
     }
     for text, sentence in messages.items():
         page.evaluate(TYPE, ["m_prime", text])
-        seen = page.evaluate(READ)
-        assert seen["note"] == f"{sentence} The old value, 0.8333333\u202fkg, was kept."
-        assert seen["drawn"]["ratio"] == 5 / 6
+        state = page.evaluate(READ)
+        assert state["note"] == f"{sentence} The old value, 0.8333333\u202fkg, was kept."
+        assert state["drawn"]["ratio"] == 5 / 6
     # With reduced motion the story ends at once.
     page.evaluate("document.querySelector('.st-key-story > div').shadowRoot.querySelector('button').click()")
     page.wait_for_function("Math.abs(ramanujan.last('drawn/oscillator').normalized - 1) < 1e-14")
@@ -144,27 +144,27 @@ def test_the_file_agrees_with_exact_frequencies(window, file, engine):
         omega_squared, plain_squared = exact(values)
         time = float(chance.uniform(1, 70) / mpmath.sqrt(plain_squared))
         page.evaluate(SEEK, time)
-        seen = page.evaluate(READ)
+        state = page.evaluate(READ)
         normalized = float(omega_squared / plain_squared)
-        assert seen["drawn"]["normalized"] == pytest.approx(normalized, rel=1e-14)
-        assert number(seen["normalized"]) == pytest.approx(normalized, abs=6e-7)
-        assert number(seen["omega"]) == pytest.approx(float(mpmath.sqrt(omega_squared)), rel=6e-5)
-        for hand, squared in zip(seen["hands"], (omega_squared, plain_squared), strict=True):
+        assert state["drawn"]["normalized"] == pytest.approx(normalized, rel=1e-14)
+        assert number(state["normalized"]) == pytest.approx(normalized, abs=6e-7)
+        assert number(state["omega"]) == pytest.approx(float(mpmath.sqrt(omega_squared)), rel=6e-5)
+        for hand, squared in zip(state["hands"], (omega_squared, plain_squared), strict=True):
             degrees = float(re.search(r"\((-?[\d.e-]+)", hand)[1])
             turns = degrees / 360 - float(mpmath.sqrt(squared) * time / (2 * mpmath.pi))
             assert turns - round(turns) == pytest.approx(0, abs=1e-4)
-        check_sentences(seen, omega_squared, plain_squared, time)
+        check_sentences(state, omega_squared, plain_squared, time)
 
 
-def check_sentences(seen: dict, omega_squared: mpmath.mpf, plain_squared: mpmath.mpf, time: float) -> None:
+def check_sentences(state: dict, omega_squared: mpmath.mpf, plain_squared: mpmath.mpf, time: float) -> None:
     """Check the sentences about the hands after a time [s]: which is ahead, by how much, and when by a full turn."""
     plain = mpmath.sqrt(plain_squared)
     periods, gain = plain * time / (2 * mpmath.pi), mpmath.sqrt(omega_squared) / plain - 1
-    turns, direction, after = re.search(r"is ([\d.]+) turns (\w+) after ([\d.]+) periods", seen["lead"]).groups()
+    turns, direction, after = re.search(r"is ([\d.]+) turns (\w+) after ([\d.]+) periods", state["lead"]).groups()
     assert float(turns) == pytest.approx(float(abs(gain) * periods), abs=0.0051)
     assert direction == ("ahead" if gain > 0 else "behind")
     assert float(after) == pytest.approx(float(periods), abs=0.051)
-    apart = float(re.search(r"fter ([\d.]+) plain-mass periods the hands are one full turn", seen["parting"])[1])
+    apart = float(re.search(r"fter ([\d.]+) plain-mass periods the hands are one full turn", state["parting"])[1])
     assert apart == pytest.approx(float(1 / abs(gain)), abs=0.51 if apart >= 10 else 0.051)
 
 
@@ -207,8 +207,8 @@ def test_a_box_reads_the_same_numbers_as_the_app(window, file, engine):
     ]
     page = opened(window(), file.as_uri())
     both = "texts.map((text) => [it.readNumber(text), it.twoReadings(text)])"
-    found = page.evaluate(f"(texts) => import('ramanujan/standalone/numbers.js').then((it) => {both})", texts)
-    for text, (value, readings) in zip(texts, found, strict=True):
+    results = page.evaluate(f"(texts) => import('ramanujan/standalone/numbers.js').then((it) => {both})", texts)
+    for text, (value, readings) in zip(texts, results, strict=True):
         expected = read_number(text)
         assert value == (None if expected is None else pytest.approx(expected, rel=1e-15)), text
         assert readings == (list(two_readings(text)) if two_readings(text) else None), text

@@ -88,11 +88,11 @@ def started(bare) -> Bare:
 
 def check_story(page) -> None:
     """Run the story, and compare its sentence, mass ratio and hands at every moment with the core."""
-    scenes, seen = story(STARTS[0]), set()
+    scenes, shown = story(STARTS[0]), set()
     ends = [*accumulate(scene.periods for scene in scenes)]
     page.evaluate(f"{STORY}.querySelector('button').click()")
     while (now := page.evaluate(f"() => (turn(8), ({NOW})())"))["sentence"] != IN_STEP:
-        seen.add(now["sentence"])
+        shown.add(now["sentence"])
         first, last = (min(int(np.searchsorted(ends, now["periods"] + by)), len(ends) - 1) for by in (-FRAME, FRAME))
         assert now["sentence"] in [scene.sentence for scene in scenes[first : last + 1]]
         around = [ratio_at(scenes, min(now["periods"] + by * FRAME, ends[-1] - 1e-9)) for by in (-1, 0, 1)]
@@ -106,7 +106,7 @@ def check_story(page) -> None:
         rate = abs(float(np.sqrt(normalized_frequency_squared(now["ratio"]))) - 1)
         if rate > 1e-9:
             assert figure(now["parting"].replace("\u202f", "")) == pytest.approx(1 / rate, rel=0.05, abs=0.5)
-    assert seen == {scene.sentence for scene in scenes}
+    assert shown == {scene.sentence for scene in scenes}
     # It ends in step immediately, also with a slow server.
     now = page.evaluate(f"() => (turn(1), ({NOW})())")
     assert (now["sentence"], now["ratio"]) == (IN_STEP, pytest.approx(UNIT_MASS_RATIO, rel=1e-15))

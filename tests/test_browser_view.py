@@ -37,11 +37,11 @@ def test_a_link_preserves_the_view(visit):
         page.get_by_role("button", name="Step forward").click()
     page.wait_for_url(lambda url: "paused=" in url)
     settle(page)
-    seen = page.evaluate(drawn)
+    drawn_first = page.evaluate(drawn)
     other = visit(page.url.rpartition("/")[2], figures=False)
     again = other.evaluate(drawn)
-    assert len(again) == len(seen) > 100
-    for before, after in zip(seen, again, strict=True):
+    assert len(again) == len(drawn_first) > 100
+    for before, after in zip(drawn_first, again, strict=True):
         assert after == (pytest.approx(before, abs=1e-3) if isinstance(before, float | int) else before)
     # Playing removes the pause from the link.
     other.get_by_role("button", name="Play", exact=True).click()
@@ -123,9 +123,9 @@ def test_a_projector_shows_one_slide_at_a_time_large_filled_and_without_scrollin
 
 def check_loading(page, path: str) -> None:
     """Check that during loading only the requested slide was visible, with large letters."""
-    (seen,) = page.evaluate("[...window.seen]")
-    assert seen.endswith(" true")
-    assert ("slide=" not in path) or seen == f"{path.partition('slide=')[2]} true"
+    (drawn_first,) = page.evaluate("[...window.seen]")
+    assert drawn_first.endswith(" true")
+    assert ("slide=" not in path) or drawn_first == f"{path.partition('slide=')[2]} true"
 
 
 def check_slides(page, count: int, with_sentences: bool) -> None:

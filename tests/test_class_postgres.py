@@ -82,13 +82,13 @@ def test_two_processes_share_a_class_and_a_killed_server_loses_no_vote(server: S
     ]
     for process in others:
         process.start()
-    told = dict([votes.get()])
+    acknowledged = dict([votes.get()])
     server.kill()
     server.start()
-    told |= in_a_file.told_by(others, votes)
-    assert len(told) == 60
+    acknowledged |= in_a_file.told_by(others, votes)
+    assert len(acknowledged) == 60
     school.show(opened.key, Phase.REVEALED)
-    assert school.distribution(opened.code, "faster") == {o: Counter(told.values())[o] for o in OPTIONS}
+    assert school.distribution(opened.code, "faster") == {o: Counter(acknowledged.values())[o] for o in OPTIONS}
 
 
 @pytest.mark.parametrize(

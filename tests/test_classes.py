@@ -116,14 +116,14 @@ def answer_until_killed(path: Path, code: str, votes: multiprocessing.connection
 
 def told_by(processes: list, votes: multiprocessing.Queue) -> dict[str, str]:
     """Wait until all processes have succeeded. Return the last confirmed answer of each voter."""
-    told = {}
+    acknowledged = {}
     while any(process.is_alive() for process in processes) or not votes.empty():
         while not votes.empty():
-            told.update([votes.get()])
+            acknowledged.update([votes.get()])
     for process in processes:
         process.join()
     assert {process.exitcode for process in processes} == {0}
-    return told
+    return acknowledged
 
 
 def test_two_hundred_students_lose_no_vote_when_a_process_is_killed(school, opened):
@@ -141,14 +141,14 @@ def test_two_hundred_students_lose_no_vote_when_a_process_is_killed(school, open
     for process in others:
         process.start()
     os.kill(victim.pid, signal.SIGKILL)
-    told = {before_death: "neither"} | told_by(others, votes)
+    acknowledged = {before_death: "neither"} | told_by(others, votes)
     victim.join()
     assert victim.exitcode == -signal.SIGKILL
-    assert len(told) == 201
+    assert len(acknowledged) == 201
     assert answered(school, opened) == 201
     school.show(opened.key, Phase.REVEALED)
     # The count contains the last confirmed answer of each student, and no unfinished one.
-    assert school.distribution(opened.code, "faster") == {o: Counter(told.values())[o] for o in OPTIONS}
+    assert school.distribution(opened.code, "faster") == {o: Counter(acknowledged.values())[o] for o in OPTIONS}
 
 
 def test_timeout_raises_a_sentence(school, opened, monkeypatch):
@@ -342,8 +342,8 @@ def test_a_network_gets_seats_as_fast_as_a_lecture_hall_takes_them(school, opene
         school.join(opened.code, "script 1", addresses[0])
     clock.now += MINUTE
     school.join(opened.code, "script 2", addresses[0])
-    kept = sqlite3.connect(school._store.path).execute("SELECT COUNT(*) FROM voter WHERE network IS NOT NULL")
-    assert kept.fetchone() == (1,)
+    rows = sqlite3.connect(school._store.path).execute("SELECT COUNT(*) FROM voter WHERE network IS NOT NULL")
+    assert rows.fetchone() == (1,)
 
 
 def test_lecturer_closes_the_class_and_removes_absent_students_with_their_answers(school, opened, clock):
@@ -404,9 +404,9 @@ def test_database_does_not_contain_the_lecturers_key(school, opened):
     secret = opened.key.partition("-")[2]
     assert len(secret) >= 32
     seat = school.join(opened.code)
-    kept = b"".join(file.read_bytes() for file in school._store.path.parent.iterdir())
-    assert secret.encode() not in kept
-    assert seat.voter.encode() in kept  # Negative control: the search finds a value stored in plain text.
+    rows = b"".join(file.read_bytes() for file in school._store.path.parent.iterdir())
+    assert secret.encode() not in rows
+    assert seat.voter.encode() in rows  # Negative control: the search finds a value stored in plain text.
 
 
 def test_a_voter_without_a_seat_cannot_vote(school, opened):
@@ -565,8 +565,8 @@ def test_the_classes_of_a_network_are_limited_and_the_network_is_deleted(school,
     school.open_class(address="2001:db8:0:8::1")
     clock.now += MINUTE
     school.open_class(address="2001:db8:0:7::1")
-    kept = sqlite3.connect(school._store.path).execute("SELECT COUNT(*) FROM class WHERE network IS NOT NULL")
-    assert kept.fetchone() == (1,)
+    rows = sqlite3.connect(school._store.path).execute("SELECT COUNT(*) FROM class WHERE network IS NOT NULL")
+    assert rows.fetchone() == (1,)
 
 
 def test_class_limit_raises_a_sentence(school, clock):

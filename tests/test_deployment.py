@@ -42,8 +42,8 @@ def hall() -> Iterator[deployed]:
 
 def cookie_of(hall: deployed, **headers: str) -> str | None:
     """Return the cookie by which the proxy ties a visitor to a process, if it sets one."""
-    said = get(hall.address, **headers)[0].get_all("Set-Cookie", [])
-    return next((cookie.partition(";")[0] for cookie in said if cookie.startswith(f"{STORE}=")), None)
+    cookies = get(hall.address, **headers)[0].get_all("Set-Cookie", [])
+    return next((cookie.partition(";")[0] for cookie in cookies if cookie.startswith(f"{STORE}=")), None)
 
 
 def process_of(tab: object) -> str:
@@ -98,8 +98,8 @@ def test_a_visitor_is_identified_by_the_address_from_the_proxy(hall: deployed) -
 
     def networks() -> Counter[str]:
         with sqlite3.connect(f"{hall.state.name}/classes.sqlite") as file:
-            found = file.execute("SELECT network FROM voter WHERE code = ?", (opened.code,))
-            return Counter(network for (network,) in found)
+            rows = file.execute("SELECT network FROM voter WHERE code = ?", (opened.code,))
+            return Counter(network for (network,) in rows)
 
     # A thread has no event loop, where Playwright may have left one.
     with ThreadPoolExecutor(1) as thread:

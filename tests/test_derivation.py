@@ -87,7 +87,7 @@ def test_equal_masses_are_inserted_into_every_line(name):
 def test_the_sign_of_the_condition_matches_the_frequency(roller_mass, word):
     numbers = replace(TWO_MASSES, m_prime=roller_mass)
     step = ROUTES["euler_lagrange"]["unit"]
-    said = step.for_numbers(numbers)
-    assert word in said.reason
-    signs = {sp.sign(numbers.insert_into(relation.rhs)) for relation in said.equations}
+    adapted = step.for_numbers(numbers)
+    assert word in adapted.reason
+    signs = {sp.sign(numbers.insert_into(relation.rhs)) for relation in adapted.equations}
     assert signs == {{"faster": -1, "in step": 0, "more slowly": 1}[word]}

@@ -89,15 +89,15 @@ def test_an_exercise_keeps_its_order_shows_no_key_and_ends_in_a_sheet(app):
 
 
 def test_the_lecturers_link_contains_the_key(app):
-    asked = {"exercise": "block_momentum", "exercise_name": name_of(7)}
-    opened(app, **asked, exercise_key=key_of(7))
+    query = {"exercise": "block_momentum", "exercise_name": name_of(7)}
+    opened(app, **query, exercise_key=key_of(7))
     assert latex(shown_step("block_momentum")[0].rhs) in "".join(each.value for each in app.latex)
 
 
 @pytest.mark.parametrize("guess", [None, "on", key_of(8), key_of(7)[1:]])
 def test_a_guessed_link_shows_no_key(app, guess):
-    asked = {"exercise": "block_momentum", "exercise_name": name_of(7)}
-    opened(app, **asked | ({"exercise_key": guess} if guess else {}))
+    query = {"exercise": "block_momentum", "exercise_name": name_of(7)}
+    opened(app, **query | ({"exercise_key": guess} if guess else {}))
     assert not app.latex
 
 
@@ -116,9 +116,9 @@ def test_the_lecturer_composes_both_links_in_the_order_of_choice(app):
     app.multiselect(key="composed").set_value(["two-cubes", "block_momentum"])
     students, lecturers = (each.value for each in sound(app.run()).code)
     assert urlsplit(students).path.endswith("/lesson")
-    asked = parse_qs(urlsplit(students).query)
-    (name,) = asked.pop("exercise_name")
-    assert asked == {"k": ["33.5"], "exercise": ["two-cubes,block_momentum"]}
+    query = parse_qs(urlsplit(students).query)
+    (name,) = query.pop("exercise_name")
+    assert query == {"k": ["33.5"], "exercise": ["two-cubes,block_momentum"]}
     assert lecturers.startswith(f"{students}&exercise_key=")
     assert worksheet_keys.name(lecturers.rpartition("=")[2]) == name
 

@@ -89,9 +89,9 @@ def test_slides_contain_the_whole_route_and_no_frame_is_overfull(name, numbers):
     assert all(len(re.findall(r"\\\\\n", text)) < 9 for _, text in frames)
     assert PICTURE in document
     # The slides of a single step contain its frames and the machine.
-    alone = to_beamer(route, values_if(numbers), PICTURE, 2)
+    single = to_beamer(route, values_if(numbers), PICTURE, 2)
     wanted = [label for label in labels if label.partition("-")[0] in ("title", "machine", route.steps[1].key)]
-    assert re.findall(r"\[label=(.*?)\]", alone) == wanted
+    assert re.findall(r"\[label=(.*?)\]", single) == wanted
 
 
 def test_the_environment_check_detects_errors():

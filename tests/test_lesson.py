@@ -247,29 +247,29 @@ def test_every_wrong_option_has_a_reply_that_ends_in_a_question():
 
 
 def test_the_replies_are_computed_for_this_machine():
-    def told(stop, option):
+    def reply_to(stop, option):
         return lesson.stop(stop).reply(option).replace("\u202f", " ")
 
-    assert f"{10 * (1 - 5**-0.5):.1f} turns behind" in told("two-clocks", "far_behind")
+    assert f"{10 * (1 - 5**-0.5):.1f} turns behind" in reply_to("two-clocks", "far_behind")
     # The equation with the candidate inserted, and the two frequencies.
     for option in ("eighths", "decimal"):
         [x] = fractions(lesson.stop("exactly").options[option])
-        assert f"{float(18 * x**2 + x - 24):.3g}".replace("-", "−") in told("exactly", option)
+        assert f"{float(18 * x**2 + x - 24):.3g}".replace("-", "−") in reply_to("exactly", option)
         periods = 1 / abs(math.sqrt(normalized(m_prime=float(x))) - 1)
-        said = re.search(r"After (\d+(?: \d+)?) periods", told("exactly", option))[1]
+        said = re.search(r"After (\d+(?: \d+)?) periods", reply_to("exactly", option))[1]
         assert float(said.replace(" ", "")) == pytest.approx(periods, rel=3e-3)
     low, high = fractions(lesson.stop("exactly").options["several"])
-    assert f"{normalized(m_prime=float(low)):.5g}" in told("exactly", "several")
-    assert f"{normalized(m_prime=float(high)):.5g}" in told("exactly", "several")
+    assert f"{normalized(m_prime=float(low)):.5g}" in reply_to("exactly", "several")
+    assert f"{normalized(m_prime=float(high)):.5g}" in reply_to("exactly", "several")
     # The top cylinder slips first below this ratio; with the slab's tilt.
-    light = float(re.search(r"ε were less than (\d+\.\d+)", told("contact", "top_block"))[1])
+    light = float(re.search(r"ε were less than (\d+\.\d+)", reply_to("contact", "top_block"))[1])
     tilt = 0.08 / 0.29
     for ratio, first in ((light - 0.02, "top"), (light + 0.02, "hoop")):
         needed = {"hoop": 16 * ratio * (3 * ratio + 4) / (1 - tilt), "top": 16 * (1 + ratio)}
         assert max(needed, key=needed.get) == first
-    assert "0.0132" in told("contact", "top_block")
+    assert "0.0132" in reply_to("contact", "top_block")
     moved = history()[0](history()[1])[0]
-    assert f"{100 * abs(moved):.2f} cm" in told("rollers", "all")
+    assert f"{100 * abs(moved):.2f} cm" in reply_to("rollers", "all")
     load = 0.5 * (1 - tilt)
     assert f"{100 * load:.0f}\u202f%" in lesson.stop("contact").explanation()
 

@@ -167,8 +167,8 @@ NAMED = re.compile(r"\\(times|div) ((?!M_{\\text).+)|\\text\{cancel \$(?!8)(.+)\
 def test_every_named_factor_connects_two_lines():
     steps = {(name, step.key): step for name in ROUTES for step in ROUTES[name].steps}
     named = {
-        (*key, place): match for key, step in steps.items() for place, said in enumerate(step.operations)
-        if (match := NAMED.fullmatch(said))
+        (*key, place): match for key, step in steps.items() for place, operation in enumerate(step.operations)
+        if (match := NAMED.fullmatch(operation))
     }  # fmt: skip
     assert named.keys() == FACTORS.keys()
     for (name, key, place), match in named.items():
@@ -179,8 +179,9 @@ def test_every_named_factor_connects_two_lines():
             for before, after in ((difference(one), difference(other)), *product(one.args, other.args))
             if before != 0 != after
         ]
-        said = (match[2] or match[3]).removeprefix(r"\left(").removesuffix(r"\right)")
-        assert said.replace(r"\tfrac12", "") in {latex(q * (2 if "tfrac12" in said else 1)) for q in quotients}, said
+        operation = (match[2] or match[3]).removeprefix(r"\left(").removesuffix(r"\right)")
+        multiple = 2 if "tfrac12" in operation else 1
+        assert operation.replace(r"\tfrac12", "") in {latex(multiple * q) for q in quotients}, operation
 
 
 @pytest.mark.parametrize(("masses", "key"), STEPS)

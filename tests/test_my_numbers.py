@@ -162,10 +162,10 @@ def motions(name: str, key: str, equal_masses: bool, given: Masses) -> Iterator[
 def holds(line: str, known: dict[str, Number]) -> bool:
     """Return whether both sides of an equation agree to fifty digits, and its decimal with its right side."""
     left, right, decimal, is_exact = sides(line)
-    said, found = (formula(side) for side in (left, right))
-    one, other = said.value(known), found.value(known)
+    stated, computed = (formula(side) for side in (left, right))
+    one, other = stated.value(known), computed.value(known)
     digits = mpmath.mpf("1e-50")
-    allowed = digits + abs(other) * digits + said.cut_off(known) + found.cut_off(known)
+    allowed = digits + abs(other) * digits + stated.cut_off(known) + computed.cut_off(known)
     if not np.all(abs(one - other) <= allowed):
         return False
     written = formula(decimal or "0").value({})

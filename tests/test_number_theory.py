@@ -134,8 +134,8 @@ def test_forty_machines_with_forty_discriminants():
 
 
 def test_only_three_discriminants_are_sums_of_two_cubes():
-    found = {m.bodies: (m.discriminant, m.cubes) for m in nt.machines() if m.cubes}
-    assert found == {
+    sums = {m.bodies: (m.discriminant, m.cubes) for m in nt.machines() if m.cubes}
+    assert sums == {
         ("hoop", "cylinder", "cylinder"): (1729, ((1, 12), (9, 10))),
         ("hoop", "shell", "sphere"): (5896, ((4, 18),)),
         ("sphere", "sphere", "shell"): (1064, ((4, 10),)),
@@ -268,9 +268,9 @@ def test_convergents_of_the_papers_ratio_are_the_best_machines_to_build():
     assert Fraction(845, 10**6) < errors[Fraction(9, 8)] < Fraction(855, 10**6)
     assert -Fraction(605, 10**8) < errors[Fraction(62, 55)] < -Fraction(595, 10**8)
     root = Fraction(nt.positive_root_digits(*PAPER, 40))
-    for found in ratios[1:]:
-        for q in range(1, found.denominator):
-            assert abs(Fraction(round(q * root), q) - root) > abs(found - root)
+    for sums in ratios[1:]:
+        for q in range(1, sums.denominator):
+            assert abs(Fraction(round(q * root), q) - root) > abs(sums - root)
 
 
 # Exactness and bad input

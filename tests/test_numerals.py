@@ -98,11 +98,11 @@ console.log(JSON.stringify({{
   filled: fill("{{a}} before {{b}}", {{ a: 1, b: withUnit(fixed(-2, 1), "cm") }}),
 }}));"""
     done = subprocess.run([NODE, "-e", script], capture_output=True, text=True, check=True, timeout=60)
-    said = json.loads(done.stdout)
-    assert said["filled"] == f"1 before −2{mark}0\u202fcm"
-    for digits, texts in zip(asked["digits"], said["number"], strict=True):
+    results = json.loads(done.stdout)
+    assert results["filled"] == f"1 before −2{mark}0\u202fcm"
+    for digits, texts in zip(asked["digits"], results["number"], strict=True):
         assert texts == [numerals.number(value, digits) for value in VALUES]
-    for places, texts in zip(asked["places"], said["fixed"], strict=True):
+    for places, texts in zip(asked["places"], results["fixed"], strict=True):
         # Beyond 1e21 JavaScript's own toFixed changes to powers; no such number is shown with fixed places. It rounds
         # the exact value, as Python does, but a tie away from zero.
         assert [a for a, v in zip(texts, VALUES, strict=True) if abs(v) < 1e15 and (v * 10**places * 2) % 2 != 1] == [

@@ -68,10 +68,10 @@ def derived(bodies):
 
 def flat(formulas, prefix=""):
     """Return path → expression for a nested dictionary of formulas; the keys of a path are joined with _."""
-    found = {}
+    values = {}
     for name, each in formulas.items():
-        found |= flat(each, f"{prefix}{name}_") if isinstance(each, dict) else {prefix + name: sp.sympify(each)}
-    return found
+        values |= flat(each, f"{prefix}{name}_") if isinstance(each, dict) else {prefix + name: sp.sympify(each)}
+    return values
 
 
 def test_the_browser_computes_the_expressions_of_the_derivation():
@@ -87,6 +87,6 @@ def test_the_browser_computes_the_expressions_of_the_derivation():
     script += f"console.log(JSON.stringify(Object.fromEntries({entries})));"
     done = subprocess.run([NODE, "-e", script], capture_output=True, text=True, check=True, timeout=60)
     assert len(formulas) > 30
-    for name, found in json.loads(done.stdout).items():
+    for name, computed in json.loads(done.stdout).items():
         expected = sp.lambdify(list(names), formulas[name], "numpy")(*(values[given] for given in names.values()))
-        assert found == pytest.approx(float(expected), rel=1e-13, abs=1e-15), name
+        assert computed == pytest.approx(float(expected), rel=1e-13, abs=1e-15), name

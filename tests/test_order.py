@@ -159,5 +159,5 @@ def test_a_term_has_the_same_place_on_all_lines_of_a_step():
         orders = [re.findall("Ẍ|φ\u0308?|Φ\u0308", line) for line in lines(ROUTES[name], key)[few]]
         assert all(len(order) > 1 for order in orders)
         for order, following in pairwise(orders):
-            kept = [unknown for unknown in dict.fromkeys(order) if unknown in following]
-            assert kept == [unknown for unknown in dict.fromkeys(following) if unknown in order], (name, key)
+            common = [unknown for unknown in dict.fromkeys(order) if unknown in following]
+            assert common == [unknown for unknown in dict.fromkeys(following) if unknown in order], (name, key)

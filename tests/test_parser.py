@@ -172,7 +172,7 @@ _NAMES = re.compile("|".join([*sorted(POINT, key=len, reverse=True), r"\d+"]))
 
 def computed(text: str) -> Fraction:
     """Return Python's value of a formula at `POINT`."""
-    plain = _NAMES.sub(lambda found: f"Fraction({POINT.get(found[0], found[0])})", text)
+    plain = _NAMES.sub(lambda match: f"Fraction({POINT.get(match[0], match[0])})", text)
     return eval(plain.replace("^", "**").replace("·", "*"))
 
 

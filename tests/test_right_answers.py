@@ -74,7 +74,7 @@ def spelled(expression: sp.Expr, source: random.Random) -> str:
     names = {str(symbol): SPELLINGS.get(name, [name]) for symbol, name in TYPED.items()}
     choices = names | SIGNS
     part = re.compile("|".join([r"\^2(?!\d)", r"/[24](?!\d)", *sorted(names, key=len, reverse=True), "sqrt", r"[-+*]"]))
-    return part.sub(lambda found: source.choice(choices[found[0]]), str(expression).replace("**", "^"))
+    return part.sub(lambda match: source.choice(choices[match[0]]), str(expression).replace("**", "^"))
 
 
 def as_latex(expression: sp.Expr) -> str:

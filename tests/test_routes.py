@@ -47,8 +47,8 @@ def test_the_routes_agree_for_other_bodies_too(bodies):
     by_hamilton = 4 * k / reduce_to_one_degree(legendre_transform(other)[2])[0]
     by_newton = -newton.free_bodies(other).solution[newton.angular_acceleration("hoop")] / phi
     by_energy = 4 * k / least_inertia(other)[2]
-    for found in (by_hamilton, by_newton, by_energy, modes(other).natural_frequency_squared):
-        assert equal(found, expected)
+    for result in (by_hamilton, by_newton, by_energy, modes(other).natural_frequency_squared):
+        assert equal(result, expected)
 
 
 def test_thirteen_equations_for_thirteen_unknowns():

@@ -232,12 +232,12 @@ def test_the_expiry_is_in_the_time_zone_of_the_desk(monkeypatch):
 def test_no_student_receives_the_lecturers_key(lecturer):
     secret = address(lecturer)["lecturer"].partition("-")[2]
     student = visitor(**{"class": code_of(lecturer)})
-    seen = [everything(student)]
+    pages = [everything(student)]
     for name in ("ask", "reveal", "again", "reveal", "run", "solve"):
         press(lecturer, name)
-        seen.append(everything(student.run()))
-    assert secret not in "".join(seen)
-    assert STOP.heading in seen[1]  # negative control: a heading sent to students
+        pages.append(everything(student.run()))
+    assert secret not in "".join(pages)
+    assert STOP.heading in pages[1]  # negative control: a heading sent to students
     # The lecturer's page may be on a projector, so only its address contains the key.
     assert secret not in everything(lecturer, with_address=False)
     assert secret in everything(lecturer)

@@ -80,8 +80,8 @@ def test_a_lecture_contains_every_step_of_its_route(page):
         wanted = [step.heading for step in ROUTES[name].steps]
         assert headings(page) == [f"## {n}. {heading}" for n, heading in enumerate(wanted, start=1)]
         (turner,) = (e.proto for e in page.get("bidi_component") if e.proto.id.endswith("-lecture_turn"))
-        told = json.loads(turner.json)
-        assert (told["route"], told["headings"]) == (name, wanted)
+        data = json.loads(turner.json)
+        assert (data["route"], data["headings"]) == (name, wanted)
         assert title
 
 
@@ -130,19 +130,19 @@ def test_only_the_symbols_of_a_part_have_its_colour(numbers):
         for name in ROUTES
         for number, step in enumerate(ROUTES[name].steps)
     }
-    found = {place: re.findall(r"textcolor\{(.*?)\}", text) for place, text in shown.items()}
+    colors = {place: re.findall(r"textcolor\{(.*?)\}", text) for place, text in shown.items()}
     # The energies of the bodies in their order, followed by the energy of the spring.
     energies = [ink for part, ink in inks for _n in range(1 + (part in ("hoop", "cylinder", "top")))]
     in_order = [*energies[:-3], *energies[-2:], energies[-3]]
-    assert found["euler_lagrange", "sum"] == in_order
-    assert found["matrix", "energies"] == [*in_order[:-1], in_order[-1], in_order[-1]]
+    assert colors["euler_lagrange", "sum"] == in_order
+    assert colors["matrix", "energies"] == [*in_order[:-1], in_order[-1], in_order[-1]]
     for (part, ink), line in zip(inks, shown["euler_lagrange", "velocities"].split(r"\\"), strict=False):
         if part not in ("spring", "top"):
             assert f"\\textcolor{{{ink}}}{{v_{{\\text{{{part}}}}}}}" in line
             assert len(set(re.findall(r"#\d+", line))) == 1
     # All other bodies act on the block. Each force has the colour of its body.
-    assert set(found["newton", "forces"]) == {ink for part, ink in inks if part != "spring"}
-    assert not found["euler_lagrange", "ratio"]
+    assert set(colors["newton", "forces"]) == {ink for part, ink in inks if part != "spring"}
+    assert not colors["euler_lagrange", "ratio"]
 
 
 # Modes and notes
@@ -175,9 +175,9 @@ def test_each_line_names_the_operation_that_leads_to_it(page):
     assert marked == {*ROUTES} - {"matrix"}
     for way in (*(ROUTES[name] for name in ROUTES), ROUTES.with_equal_masses("euler_lagrange")):
         for step in way.steps:
-            for said in (step, step.for_numbers(Numbers(1, 1, 10))):
-                assert len(said.operations) == len(said.equations), (way.title, step.key)
-                assert any(said.operations), (way.title, step.key)
+            for shown_step in (step, step.for_numbers(Numbers(1, 1, 10))):
+                assert len(shown_step.operations) == len(shown_step.equations), (way.title, step.key)
+                assert any(shown_step.operations), (way.title, step.key)
 
 
 def test_a_typed_result_is_shown_once_it_is_right(page):
@@ -188,8 +188,8 @@ def test_a_typed_result_is_shown_once_it_is_right(page):
         page.text_input(key="answer_euler_lagrangeblock_momentum").set_value(text)
         next(button for button in page.button if button.label == "Check").click().run()
         assert formulas(page).count("p_{X} &=") == seen
-    asked = [toggle.key.removeprefix("first_") for toggle in sound(page).toggle if toggle.key.startswith("first_")]
-    assert len(asked) == len({question_of(name).steps[-1] for name in QUESTIONS})
+    toggles = [toggle.key for toggle in sound(page).toggle if toggle.key.startswith("first_")]
+    assert len(toggles) == len({question_of(name).steps[-1] for name in QUESTIONS})
 
 
 def answer(app, question: str, text: str):

@@ -46,10 +46,10 @@ def walked(block):
             yield from walked(child)
 
 
-def without_code(told):
-    if isinstance(told, dict):
-        return {key: without_code(value) for key, value in told.items() if key not in CODE}
-    return [without_code(each) for each in told] if isinstance(told, list) else told
+def without_code(data):
+    if isinstance(data, dict):
+        return {key: without_code(value) for key, value in data.items() if key not in CODE}
+    return [without_code(each) for each in data] if isinstance(data, list) else data
 
 
 def sent(app) -> str:
@@ -86,7 +86,7 @@ def other_than(stop) -> str:
 
 def frequencies(stop) -> set[str]:
     """Return the texts of all numbers that reveal the frequency of a machine of this stop."""
-    said = set()
+    texts = set()
     for machine in {stop.machine, stop.shown, *(run.machine for run in stop.runs)}:
         values = (
             machine.normalized_frequency_squared,
@@ -94,8 +94,8 @@ def frequencies(stop) -> set[str]:
             machine.period,
             machine.effective_mass,
         )
-        said |= {f"{value:.{digits}g}" for value in values for digits in (4, 5, 7)}
-    return {text for text in said if len(text) > 4}
+        texts |= {f"{value:.{digits}g}" for value in values for digits in (4, 5, 7)}
+    return {text for text in texts if len(text) > 4}
 
 
 def sentences(text: str) -> set[str]:
@@ -112,8 +112,8 @@ def test_a_stop_reveals_its_motion_and_its_answer_only_on_request(opened, name):
     reply, right = stop.reply(wrong), stop.options[stop.answer()]
     app = opened(stop=name)
     page = sent(app)
-    told = sentences(stop.explanation()) | {stop.onward.label, "Right answer", "prediction was"}
-    giveaways = told | sentences(reply) | (set() if stop.exhibit or name == "other-body" else frequencies(stop))
+    explanation = sentences(stop.explanation()) | {stop.onward.label, "Right answer", "prediction was"}
+    giveaways = explanation | sentences(reply) | (set() if stop.exhibit or name == "other-body" else frequencies(stop))
     if name in ("by-hand", "exactly"):
         # The options of the stop "exactly" contain close numbers, so compare seven digits.
         giveaways.add(f"{UNIT_MASS_RATIO:.{3 if name == 'by-hand' else 7}g}")
@@ -142,7 +142,7 @@ def test_a_stop_reveals_its_motion_and_its_answer_only_on_request(opened, name):
     check_button(app, stop, *before)
     assert reply in page
     assert right not in reply
-    assert [text for text in told - {"prediction was"} if text in page] == []
+    assert [text for text in explanation - {"prediction was"} if text in page] == []
     assert len(fed(app)) == len(stop.runs)
     assert not any(set(stop.hides) & set(machine["hide"]) - {"energy", "arrows", "forces"} for machine in fed(app))
     sound(app.button(key=f"again_{name}").click().run())
@@ -214,7 +214,7 @@ def test_a_link_hides_parts_of_every_stage(opened):
     for address in ({"stop": "zero-modes", "chosen": "zero-modes.two"}, {"part": "tasks", "task": "in-step"}):
         stages = fed(opened(**address, hide="plain,arrows"))
         assert stages
-        assert all({"plain", "arrows"} <= set(told["hide"]) for told in stages), address
+        assert all({"plain", "arrows"} <= set(value["hide"]) for value in stages), address
 
 
 def test_hints_come_one_by_one(opened):
@@ -243,8 +243,8 @@ def test_the_short_lesson_has_six_stops_and_an_end_with_the_answers(opened):
     shown = "\n".join(text.value for text in app.markdown)
     assert "You answered 2 of 6 questions. Your prediction was right at 1 of them." in shown
     assert f"You predicted: {second.options[other_than(second)]}" in shown
-    said = [stop.options[stop.answer()] in shown for stop in short]
-    assert said == [True, True, False, False, False, False]
+    is_shown = [stop.options[stop.answer()] in shown for stop in short]
+    assert is_shown == [True, True, False, False, False, False]
     assert shown.count("Not answered yet") == 4
     assert len(app.get("page_link")) == 4
     sound(app.button(key="to_tasks").click().run())

@@ -80,29 +80,29 @@ def test_six_steps_show_their_results_without_a_click_and_nothing_twice(app):
     assert r"\Omega^{2} = \frac{8\,k\,\left(7\,m + 6\,m'\right)}" in inserted
     quadratic = [r"18\,\varepsilon^{2} + \varepsilon - 24 = 0", r"\left(36\,\varepsilon + 1\right)^{2} = 1729"]
     assert 0 < ratio.index(quadratic[0]) < ratio.index(quadratic[1]) < ratio.index(r"\frac{\sqrt{1729} - 1}{36}")
-    told = steps(app)
+    text = steps(app)
     written = re.findall(r"[^$]+ = [^$]+", "".join(folded))
-    written += [line for display in re.findall(r"\$\$\n(.*?)\n\$\$", told) for line in equations(display)]
+    written += [line for display in re.findall(r"\$\$\n(.*?)\n\$\$", text) for line in equations(display)]
     assert len(written) == len(set(written)) > 30
     # Numbers have a separate heading, and a sentence that names their machine.
-    for opened in told.split("**")[2::2]:
+    for opened in text.split("**")[2::2]:
         way, _heading, numbers = opened.partition("### Your machine")
         assert "The numbers are for" not in way
         assert ("The numbers are for" in numbers) == ("$$" in numbers)
-    assert told.index(r"\varepsilon &= 1 ") > told.rindex("### Your machine")
+    assert text.index(r"\varepsilon &= 1 ") > text.rindex("### Your machine")
 
 
 def test_the_page_states_whether_the_machine_is_in_step(app):
     app.run()
     for key, value in (("m", 2.3), ("m_prime", 5.0), ("k", 37.0)):
         app.slider(key=key).set_value(value)
-    said = app.run().get_by_key("your_machine").markdown[0].value
+    sentence = app.run().get_by_key("your_machine").markdown[0].value
     squared = 8 * 37 * (7 * 2.3 + 6 * 5) / (32 * 2.3**2 + 49 * 2.3 * 5 + 18 * 5**2)
     omega, normalized = math.sqrt(squared), squared * 2.3 / 37
     # A formula contains no line break.
-    assert f"Ω²m/k\u00a0=\u00a0{normalized:.7f}, Ω\u00a0=\u00a0{omega:.4f}\u202frad/s, period" in said
-    assert f"period {2 * math.pi / omega:.3f}\u202fs" in said
-    assert f"loses one full turn in {1 / (1 - math.sqrt(normalized)):.2f} periods" in said
+    assert f"Ω²m/k\u00a0=\u00a0{normalized:.7f}, Ω\u00a0=\u00a0{omega:.4f}\u202frad/s, period" in sentence
+    assert f"period {2 * math.pi / omega:.3f}\u202fs" in sentence
+    assert f"loses one full turn in {1 / (1 - math.sqrt(normalized)):.2f} periods" in sentence
     app.pills(key="preset").set_value("unit").run()
     assert "in step with the plain mass" in app.get_by_key("your_machine").markdown[0].value
 

@@ -97,9 +97,9 @@ def test_measurements_are_shared_and_repeated_on_request(app):
     curves = cache.diagram(1)
     assert len(curves) == 2 * len(METHODS)
     best = cheapest(curves, 1e-3)[0]
-    said = words(app)
-    assert f"**{METHODS[best.method].title}** in {best.dtype} with **{best.steps_per_period} steps" in said
-    assert duration(best.seconds) in said
+    text = words(app)
+    assert f"**{METHODS[best.method].title}** in {best.dtype} with **{best.steps_per_period} steps" in text
+    assert duration(best.seconds) in text
 
     # A lower tolerance costs more, and the sentence is updated.
     app.select_slider(key="tolerance").set_value("1e-6").run()
@@ -195,8 +195,8 @@ def test_the_challenge_shows_the_methods_after_a_try_and_judges_as_the_lesson_do
         assert len(app.get("plotly_chart")) == drawn + 1
         verdict = lesson.task("cheapest").judge(lesson.Attempt(method="rk4", steps=steps))
         assert verdict.done == done
-        [said] = [text.value for text in app.markdown if plain(verdict.sentence) in text.value]
-        assert ("Done." in said, "Not yet." in said) == (done, not done)
+        [text] = [text.value for text in app.markdown if plain(verdict.sentence) in text.value]
+        assert ("Done." in text, "Not yet." in text) == (done, not done)
     assert app.query_params["tries"] == "rk4.13,rk4.14"
     figure = json.loads(next(each.proto.spec for each in app.get("plotly_chart") if "your run" in each.proto.spec))
     [own] = [trace for trace in figure["data"] if trace.get("name") == "your run"]

@@ -34,7 +34,7 @@ def sent(app) -> str:
 def published(app) -> dict[str, object]:
     """Return topic → published message. A fragment's message replaces the sidebar's."""
     messages = [json.loads(each.proto.json) for each in app.get("bidi_component") if "_published" in each.proto.id]
-    return {topic: told for message in reversed(messages) for topic, told in message.items()}
+    return {topic: payload for message in reversed(messages) for topic, payload in message.items()}
 
 
 def test_a_link_hides_parts_of_the_first_page(app):
@@ -60,9 +60,9 @@ def test_hidden_parts_remain_hidden_on_every_page(app, path):
     opened(app, hide="clocks,numbers,curve")
     sound(app.switch_page(f"ramanujan/pages/{path}/page.py").run())
     assert app.query_params["hide"] == "clocks,numbers,curve"
-    stages = [told for topic, told in published(app).items() if topic.startswith("machine/")]
+    stages = [payload for topic, payload in published(app).items() if topic.startswith("machine/")]
     assert stages
-    assert all(told["hide"] == ["clocks", "numbers"] for told in stages)
+    assert all(payload["hide"] == ["clocks", "numbers"] for payload in stages)
     assert not any("Ω²m/k" in str(each.proto) for each in app.get("plotly_chart"))
 
 
@@ -97,7 +97,7 @@ def test_reset_ignores_invalid_settings_of_the_link(app):
     assert values(sound(app)) == {**DEFAULTS, "k": 20.0}
 
 
-def said(app) -> list[str]:
+def all_texts(app) -> list[str]:
     """Return all words, formulas and figures of the page."""
     figures = [str(each.proto) for each in app.get("plotly_chart")]
     return sorted([each.value for each in (*app.markdown, *app.latex)] + figures)
@@ -113,18 +113,18 @@ def said(app) -> list[str]:
     ],
 )
 def test_a_folded_slider_preserves_its_value(app, path, folded):
-    held = {"k": 33.0, "compression": 3.0}
-    opened(app, **{key: str(value) for key, value in held.items()})
+    values = {"k": 33.0, "compression": 3.0}
+    opened(app, **{key: str(value) for key, value in values.items()})
     sound(app.switch_page(f"ramanujan/pages/{path}/page.py").run())
     more = next(each for each in app.sidebar.expander if each.label.startswith("More"))
     assert {each.key for each in more.slider} == {"radius", *folded}
-    assert {key: app.slider(key=key).value for key in held} == held
-    before = said(app)
-    for key in folded or held:
-        app.slider(key=key).set_value(held[key] + 1.0)
+    assert {key: app.slider(key=key).value for key in values} == values
+    before = all_texts(app)
+    for key in folded or values:
+        app.slider(key=key).set_value(values[key] + 1.0)
     sound(app.run())
     # If no slider is folded, the words or figures change.
-    assert (said(app) == before) == bool(folded)
+    assert (all_texts(app) == before) == bool(folded)
 
 
 @pytest.mark.parametrize("path", ["oscillator", "derivation", "motion", "taxicab", "speed"])
@@ -138,18 +138,18 @@ def test_after_a_slider_the_page_agrees_with_its_address(app, path, monkeypatch)
         return sound(app.switch_page(PAGES[path].file).run())
 
     assert not shown(app).warning, "with a message the whole page is drawn again"
-    before = said(app), published(app)
+    before = all_texts(app), published(app)
     for key, value in (("m_prime", 2.5), ("k", 20.0)):
         app.slider(key=key).set_value(value).run()
-    moved = said(sound(app)), published(app)
+    moved = all_texts(sound(app)), published(app)
     assert moved[0] != before[0]
     assert moved[1]["exact/k"]["value"] == 20
     other = shown(AppTest.from_file(str(ROOT / "app.py"), default_timeout=60), m_prime="2.5", k="20")
-    assert (said(other), published(other)) == moved
+    assert (all_texts(other), published(other)) == moved
     monkeypatch.setattr(display_mode, "in_browser", lambda: True)
     for key in ("m_prime", "k"):
         other.slider(key=key).set_value(PARAMETERS[key].default)
-    redrawn = Counter(said(other.run()))
+    redrawn = Counter(all_texts(other.run()))
     assert bool(other.slider) == (path in ("motion", "speed")), "the other pages draw what follows the machine alone"
     assert redrawn <= Counter(before[0]) <= Counter(moved[0]) + redrawn
     assert moved[1] | published(other) == before[1]

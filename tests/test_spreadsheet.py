@@ -47,12 +47,12 @@ def made(language: str) -> tuple[str, str]:
 
 def cells(file: Path) -> list[ET.Element]:
     """Return the cells in the non-empty rows of a document. Equal neighbours are stored once."""
-    found = []
+    all_cells = []
     for row in ET.parse(file).iter(ROW):
         filled = [cell for cell in row.iter(CELL) if cell.get(TYPE)]
         repeated = [cell for cell in filled for _ in range(int(cell.get(COLUMNS, "1")))]
-        found += repeated * int(row.get(ROWS, "1")) if filled else []
-    return found
+        all_cells += repeated * int(row.get(ROWS, "1")) if filled else []
+    return all_cells
 
 
 @pytest.mark.parametrize("language", ["en", "hu"])

@@ -24,12 +24,12 @@ def test_a_page_caches_no_message_that_changes_and_drops_no_message_in_use(serve
         visitor, chance = Visitor(server, page), random.Random(1729)
         await visitor.open()
         await visitor.move("m", chance)
-        kept = set(visitor.cache)
+        cached = set(visitor.cache)
         for key in ("m", "m_prime", "k", "compression", *(("glide", "spin", "mu") if "figure" in page else ())):
             before = visitor.received
             await visitor.move(key, chance)
             assert "figure" not in page or 0 < visitor.received - before <= 60_000, key
-        assert set(visitor.cache) == kept
+        assert set(visitor.cache) == cached
         assert visitor.max_age > 10**9
         await visitor.close()
 

@@ -107,10 +107,10 @@ def test_no_question_answers_another():
     """Check the sentences and options of all questions on three hundred sheets."""
     stops = {stop.question: stop.id for stop in lesson.STOPS}
     for seed in range(300):
-        asked = questions(Oscillator(), str(seed))
-        for question in asked:
+        posed = questions(Oscillator(), str(seed))
+        for question in posed:
             tells = TELLS.get(stops.get(question.text))
-            others = " ".join(" ".join((each.text, *each.options)) for each in asked if each is not question)
+            others = " ".join(" ".join((each.text, *each.options)) for each in posed if each is not question)
             assert not (tells and re.search(tells, others)), (seed, question.text)
 
 
@@ -176,22 +176,22 @@ def number_of(latex: str, **values: float) -> mpmath.mpf:
 @pytest.mark.parametrize("seed", list("1234"))
 def test_the_ratio_in_the_key_gives_the_requested_frequency(seed):
     *_, last = questions(Oscillator(), seed)
-    asked = sp.Rational(re.search(r"m/k=(\d+/\d+)", last.text)[1])
+    requested = sp.Rational(re.search(r"m/k=(\d+/\d+)", last.text)[1])
     exact = number_of(re.search(r"so \$\\varepsilon=(\\frac\{.*?\}\{\d+\})", last.answer)[1])
-    assert normalized_frequency_squared(float(exact)) == pytest.approx(float(asked), rel=1e-12)
+    assert normalized_frequency_squared(float(exact)) == pytest.approx(float(requested), rel=1e-12)
     # Set the frequency equal to the target. The discriminant is that of 18wε² + (49w − 48)ε + 32w − 56.
     frequency, target = last.working[0].rsplit("=", 1)
-    assert float(number_of(target)) == float(asked)
-    assert float(number_of(frequency, **{r"\varepsilon": float(exact)})) == pytest.approx(float(asked), rel=1e-12)
+    assert float(number_of(target)) == float(requested)
+    assert float(number_of(frequency, **{r"\varepsilon": float(exact)})) == pytest.approx(float(requested), rel=1e-12)
     _name, put_in, discriminant = last.working[1].split("=")
     assert number_of(put_in) == number_of(discriminant)
-    a, b, c = 18 * asked, 49 * asked - 48, 32 * asked - 56
+    a, b, c = 18 * requested, 49 * requested - 48, 32 * requested - 56
     assert sp.sqrt(int(number_of(discriminant)) / (b * b - 4 * a * c)).is_rational
 
 
 def test_the_letters_of_the_key_name_the_right_options():
     stops = {stop.question: stop for stop in lesson.STOPS}
-    seen = set()
+    letters = set()
     for seed in range(30):
         for question in questions(Oscillator(), str(seed)):
             if question.options:
@@ -199,9 +199,9 @@ def test_the_letters_of_the_key_name_the_right_options():
                 letter = re.match(r"\*\*(\w)\.\*\*", question.answer)[1]
                 assert f"{letter}. {stop.options[stop.answer()]}" in question.options
                 assert len(question.options) == len(stop.options)
-                seen.add((stop.id, letter))
+                letters.add((stop.id, letter))
     # The seed shuffles the options, so the letter of a right option varies.
-    assert len(seen) > 1.5 * len({name for name, _ in seen})
+    assert len(letters) > 1.5 * len({name for name, _ in letters})
 
 
 def test_a_seed_determines_the_worksheet():
@@ -243,11 +243,11 @@ def sheet(**query: str) -> AppTest:
 
 def test_questions_show_no_answer_and_the_key_shows_all():
     name = name_of(5)
-    asked = questions(Oscillator(k=10.0), name)
+    posed = questions(Oscillator(k=10.0), name)
     blank = "\n".join(each.value for each in sheet(seed=name).markdown)
     app = sheet(seed=name, paper="key", key=key_of(5))
     key = "\n".join(each.value for each in app.markdown)
-    for question in asked:
+    for question in posed:
         assert question.text in blank
         assert question.blanks in blank
         assert question.text in key
@@ -291,10 +291,10 @@ def test_a_name_does_not_reveal_its_key():
     assert len(names) == 12
     assert len(worksheet_keys.ALPHABET) ** len(names.pop()) > 2**40
     with pytest.MonkeyPatch.context() as patch:
-        asked = []
-        patch.setattr(hashlib, "scrypt", lambda *_, n, r, **__: asked.append(128 * n * r) or bytes(64))
+        memory = []
+        patch.setattr(hashlib, "scrypt", lambda *_, n, r, **__: memory.append(128 * n * r) or bytes(64))
         worksheet_keys.name(key_of(1729))
-    assert min(asked) >= 2**24
+    assert min(memory) >= 2**24
 
 
 def test_the_key_calculates_with_the_typed_masses():

@@ -189,18 +189,18 @@ def true_difference(message: str, term: str, ratio: sp.Expr, right_coefficient: 
         named = rf"with {re.escape(term)}{place}"
         return bool(re.search(rf"The term {named} is missing\.|In your answer the terms {named} cancel\.", message))
     sign = "negative" if right_coefficient.could_extract_minus_sign() else "positive"
-    if found := re.search(rf"{of_term} is (.+?) the right one\.", message):
-        return factor_of(found[1]) / ratio == 1
-    if found := re.search(rf"{of_term} should be (negative|positive)\. Its size is (.+?) the right one\.", message):
-        return found[1] == sign and factor_of(found[2]) / ratio == -1
-    if found := re.search(rf"{of_term} should be (negative|positive)\.", message):
-        return found[1] == sign and ratio == -1
-    if found := re.search(rf"{of_term} lacks a factor (.+?)\.", message):
-        return factor_of(found[1]) * ratio == 1
-    if found := re.search(rf"{of_term} contains an extra factor (.+?)\.", message):
-        return factor_of(found[1]) / ratio == 1
-    if found := re.search(rf"{of_term} contains (m′?) instead of (m′?)\.", message):
-        yours, theirs = map(factor_of, found.groups())
+    if match := re.search(rf"{of_term} is (.+?) the right one\.", message):
+        return factor_of(match[1]) / ratio == 1
+    if match := re.search(rf"{of_term} should be (negative|positive)\. Its size is (.+?) the right one\.", message):
+        return match[1] == sign and factor_of(match[2]) / ratio == -1
+    if match := re.search(rf"{of_term} should be (negative|positive)\.", message):
+        return match[1] == sign and ratio == -1
+    if match := re.search(rf"{of_term} lacks a factor (.+?)\.", message):
+        return factor_of(match[1]) * ratio == 1
+    if match := re.search(rf"{of_term} contains an extra factor (.+?)\.", message):
+        return factor_of(match[1]) / ratio == 1
+    if match := re.search(rf"{of_term} contains (m′?) instead of (m′?)\.", message):
+        yours, theirs = map(factor_of, match.groups())
         return yours / theirs == ratio and right_coefficient.has(theirs)
     return False
 
@@ -219,10 +219,10 @@ def true_one_term(message: str, given: sp.Expr, above: sp.Expr, below: sp.Expr) 
 
 def true_multiple(message: str, ratio: sp.Expr) -> bool:
     """Return whether a verdict states the correct ratio of the given answer to the right one."""
-    if found := re.search(r"Your answer is (.+?) the right one\.", message):
-        return factor_of(found[1]) / ratio == 1
-    if found := re.search(r"Your answer has the wrong sign\. Its size is (.+?) the right one\.", message):
-        return factor_of(found[1]) / ratio == -1
+    if match := re.search(r"Your answer is (.+?) the right one\.", message):
+        return factor_of(match[1]) / ratio == 1
+    if match := re.search(r"Your answer has the wrong sign\. Its size is (.+?) the right one\.", message):
+        return factor_of(match[1]) / ratio == -1
     return ratio == -1 and "Your answer has the wrong sign." in message
 
 
@@ -262,10 +262,10 @@ def test_an_altered_coefficient_and_an_extra_term_get_a_true_verdict(name: str) 
         text = typed(spoiled_text(ENERGIES[name], term, ratio, source), source)
         verdict = judge(name, text)
         assert verdict.kind == "wrong", text
-        told = true_difference(verdict.message, shown(monomial), ratio, right[monomial])
-        hinted = not told and true_hint(name, verdict.message, ENERGIES[name] + (ratio - 1) * term)
+        is_true = true_difference(verdict.message, shown(monomial), ratio, right[monomial])
+        hinted = not is_true and true_hint(name, verdict.message, ENERGIES[name] + (ratio - 1) * term)
         hints += hinted
-        assert told or hinted, (text, verdict.message)
+        assert is_true or hinted, (text, verdict.message)
         assert "exact number agrees" not in verdict.message
     assert hints < COUNT
     for _ in range(COUNT // 4):
@@ -276,8 +276,8 @@ def test_an_altered_coefficient_and_an_extra_term_get_a_true_verdict(name: str) 
         given = ENERGIES[name] + source.choice([-1, 1]) * coefficient * extra
         verdict = judge(name, typed(text_of(given), source))
         assert verdict.kind == "wrong"
-        said = f"Your answer contains a term with {shown(extra)}. The right answer has none."
-        assert said in verdict.message or true_hint(name, verdict.message, given), (given, verdict.message)
+        sentence = f"Your answer contains a term with {shown(extra)}. The right answer has none."
+        assert sentence in verdict.message or true_hint(name, verdict.message, given), (given, verdict.message)
 
 
 # Spoiled equations
@@ -302,13 +302,13 @@ def test_an_equation_is_right_up_to_a_factor_and_an_altered_term_is_named(name: 
         verdict = judge(name, f"{text_of(spoiled - moved)} = {text_of(-moved)}")
         assert verdict.kind == "wrong", (spoiled, verdict.message)
         if monomial == 1:
-            said = r"constant term( is missing|s cancel)" if off == 0 else "constant term has the wrong sign"
+            sentence = r"constant term( is missing|s cancel)" if off == 0 else "constant term has the wrong sign"
             times = re.search(r"Your constant term is (.+?) the right one\.", verdict.message)
-            told = factor_of(times[1]) == off if times else re.search(said, verdict.message) and off <= 0
+            is_true = factor_of(times[1]) == off if times else re.search(sentence, verdict.message) and off <= 0
         else:
-            told = true_difference(verdict.message, shown(monomial), off, sp.expand(factor * right[monomial]))
-        hints += not told
-        assert told or "if " in verdict.message or "term with ε is missing" in verdict.message, (spoiled, verdict)
+            is_true = true_difference(verdict.message, shown(monomial), off, sp.expand(factor * right[monomial]))
+        hints += not is_true
+        assert is_true or "if " in verdict.message or "term with ε is missing" in verdict.message, (spoiled, verdict)
     assert hints < COUNT / 3
 
 
@@ -333,10 +333,10 @@ def test_the_altered_part_of_a_fraction_is_named(name: str) -> None:
         assert verdict.kind == "wrong"
         number, product = term.as_coeff_Mul()
         where = f"{shown(product)} in the {('numerator', 'denominator')[place]}"
-        told = f"right {('denominator', 'numerator')[place]}" in verdict.message and true_difference(
+        is_true = f"right {('denominator', 'numerator')[place]}" in verdict.message and true_difference(
             verdict.message, where, ratio, number
         )
-        if told:
+        if is_true:
             continue
         spoiled = [above, below]
         spoiled[place] = part + (ratio - 1) * term
@@ -358,8 +358,8 @@ def true_special_masses(message: str, given: sp.Expr, right: sp.Expr) -> bool:
     difference = sp.cancel(given - right)
     if "Your answer is right for equal masses" in message:
         return difference.subs(mp, m) == 0
-    if found := re.search("Your answer is right for (m′?) = 0", message):
-        return difference.subs(factor_of(found[1]), 0) == 0
+    if match := re.search("Your answer is right for (m′?) = 0", message):
+        return difference.subs(factor_of(match[1]), 0) == 0
     return "wrong even for equal masses" in message and sp.cancel(difference.subs(mp, m)) != 0
 
 
@@ -418,15 +418,15 @@ def _true_of_number(message: str, given: sp.Expr) -> bool:
     ) and ("part of your answer without the root is right" not in message or rational == sp.Rational(-1, 36))
     if "A ratio of two masses is positive" in message:
         return bool(given <= 0) and parts_true
-    if found := re.search(rf"With ε = {NUMBER} you get Ω² = {NUMBER} k/m", message):
+    if match := re.search(rf"With ε = {NUMBER} you get Ω² = {NUMBER} k/m", message):
         epsilon = float(given)
         frequency = 8 * (7 + 6 * epsilon) / (32 + 49 * epsilon + 18 * epsilon**2)
-        stated = [read(text) for text in found.groups()]
+        stated = [read(text) for text in match.groups()]
         return parts_true and stated == pytest.approx([epsilon, frequency], rel=1e-5)
-    if found := re.search(rf"Ω² and k/m differ by {NUMBER} k/m", message):
+    if match := re.search(rf"Ω² and k/m differ by {NUMBER} k/m", message):
         epsilon = given.n(30)
         frequency = 8 * (7 + 6 * epsilon) / (32 + 49 * epsilon + 18 * epsilon**2)
-        return parts_true and read(found[1]) == pytest.approx(float(abs(frequency - 1)), rel=1e-3)
+        return parts_true and read(match[1]) == pytest.approx(float(abs(frequency - 1)), rel=1e-3)
     return hinted_ratio(message, given)
 
 
@@ -440,11 +440,11 @@ def hinted_ratio(message: str, given: sp.Expr) -> bool:
 
 def test_negative_control_a_false_sentence_is_detected() -> None:
     """Negative control: the checks reject sentences that are nearly true."""
-    said = "Your coefficient of X′φ′ is twice the right one."
+    sentence = "Your coefficient of X′φ′ is twice the right one."
     right = -mp * R
-    assert true_difference(said, "X′φ′", sp.Integer(2), right)
-    assert not true_difference(said, "X′φ′", sp.Integer(3), right)
-    assert not true_difference(said, "X′²", sp.Integer(2), right)
+    assert true_difference(sentence, "X′φ′", sp.Integer(2), right)
+    assert not true_difference(sentence, "X′φ′", sp.Integer(3), right)
+    assert not true_difference(sentence, "X′²", sp.Integer(2), right)
     assert not true_difference("Your coefficient of X′φ′ should be positive.", "X′φ′", sp.Integer(-1), right)
     hint = next(hint for hint in HINTED if "leave out the rotation of the hoop" in hint)
     assert true_hint("kinetic_energy_hoop", hint, half * mp * (R * phid - Xd) ** 2)

@@ -115,7 +115,7 @@ def lesson(script: Path, pages: list[str], given: argparse.Namespace, others: Se
 async def _lesson(
     address: str, processes: list[int], pages: list[str], given: argparse.Namespace, others: Sequence[Callable]
 ) -> Lesson:
-    seen = Lesson()
+    results = Lesson()
     # Warm up each process.
     for page in pages:
         for _ in processes:
@@ -123,21 +123,21 @@ async def _lesson(
     before = memory(processes)
     visitors = [Visitor(address, pages[number % len(pages)]) for number in range(given.sessions)]
     gate = asyncio.Semaphore(AT_ONCE)
-    opened = await asyncio.gather(*(_open(visitor, gate, seen) for visitor in visitors))
+    opened = await asyncio.gather(*(_open(visitor, gate, results) for visitor in visitors))
     visitors = [visitor for visitor in opened if visitor]
-    seen.memory = (memory(processes) - before) / max(len(visitors), 1)
+    results.memory = (memory(processes) - before) / max(len(visitors), 1)
     received = [(visitor.received, visitor.messages) for visitor in visitors]
     start = processor_time(processes)
     end = perf_counter() + given.seconds
     await asyncio.gather(
-        *(_work(visitor, end, number, seen, given) for number, visitor in enumerate(visitors)),
-        *(other(address, end, seen) for other in others),
+        *(_work(visitor, end, number, results, given) for number, visitor in enumerate(visitors)),
+        *(other(address, end, results) for other in others),
     )
-    seen.processor = processor_time(processes) - start
-    seen.bytes = sum(visitor.received - bytes_ for visitor, (bytes_, _) in zip(visitors, received, strict=True))
-    seen.messages = sum(visitor.messages - count for visitor, (_, count) in zip(visitors, received, strict=True))
+    results.processor = processor_time(processes) - start
+    results.bytes = sum(visitor.received - bytes_ for visitor, (bytes_, _) in zip(visitors, received, strict=True))
+    results.messages = sum(visitor.messages - count for visitor, (_, count) in zip(visitors, received, strict=True))
     await asyncio.gather(*(visitor.close() for visitor in visitors))
-    return seen
+    return results
 
 
 async def _warm(address: str, page: str, given: argparse.Namespace) -> None:
@@ -147,17 +147,17 @@ async def _warm(address: str, page: str, given: argparse.Namespace) -> None:
     await visitor.close()
 
 
-async def _open(visitor: Visitor, gate: asyncio.Semaphore, seen: Lesson) -> Visitor | None:
+async def _open(visitor: Visitor, gate: asyncio.Semaphore, results: Lesson) -> Visitor | None:
     async with gate:
         try:
-            seen.opened.append(await visitor.open())
+            results.opened.append(await visitor.open())
         except (VisitError, OSError) as problem:
-            seen.errors[f"opening: {problem}"] += 1
+            results.errors[f"opening: {problem}"] += 1
             return None
         return visitor
 
 
-async def _work(visitor: Visitor, end: float, number: int, seen: Lesson, given: argparse.Namespace) -> None:
+async def _work(visitor: Visitor, end: float, number: int, results: Lesson, given: argparse.Namespace) -> None:
     """Move the slider at random times until the end."""
     chance = random.Random(given.seed * 100_003 + number)
     due = perf_counter() + chance.uniform(0, EVERY)
@@ -165,32 +165,32 @@ async def _work(visitor: Visitor, end: float, number: int, seen: Lesson, given: 
         await asyncio.sleep(max(0.0, due - perf_counter()))
         due = perf_counter() + chance.uniform(0.75, 1.25) * EVERY
         try:
-            seen.waits.append(await visitor.move(given.slider, chance))
+            results.waits.append(await visitor.move(given.slider, chance))
         except (VisitError, OSError) as problem:
-            seen.errors[str(problem)] += 1
+            results.errors[str(problem)] += 1
             return
 
 
-async def _look(address: str, _end: float, seen: Lesson) -> None:
+async def _look(address: str, _end: float, results: Lesson) -> None:
     """Open every page once."""
     for page in PAGES.values():
         visitor = Visitor(address, page)
         try:
             await visitor.open()
         except (VisitError, OSError) as problem:
-            seen.errors[f"looking: {problem}"] += 1
+            results.errors[f"looking: {problem}"] += 1
         await visitor.close()
 
 
-async def _measure(address: str, end: float, seen: Lesson) -> None:
+async def _measure(address: str, end: float, results: Lesson) -> None:
     """Repeat the measurement of the longest runs on the speed page until the end."""
     visitor = Visitor(address, "speed?periods=300")
     try:
         await visitor.open()
         while perf_counter() < end:
-            seen.measured.append(await visitor.press("measure", LONGEST_MEASUREMENT))
+            results.measured.append(await visitor.press("measure", LONGEST_MEASUREMENT))
     except (VisitError, OSError) as problem:
-        seen.errors[f"measuring: {problem}"] += 1
+        results.errors[f"measuring: {problem}"] += 1
     await visitor.close()
 
 
@@ -220,9 +220,9 @@ async def _vote(address: str, given: argparse.Namespace) -> None:
         shared().ask(opened.key, stop.id, list(stop.options))
         await pages[0].locator(".st-key-wall_asked").wait_for(timeout=60_000)
         await pages[0].evaluate(COUNTED)
-        gate, seen = asyncio.Semaphore(AT_ONCE), Lesson()
+        gate, results = asyncio.Semaphore(AT_ONCE), Lesson()
         phones = [Visitor(address, f"lesson?class={opened.code}") for _ in range(given.voting)]
-        phones = [phone for phone in await asyncio.gather(*(_open(each, gate, seen) for each in phones)) if phone]
+        phones = [phone for phone in await asyncio.gather(*(_open(each, gate, results) for each in phones)) if phone]
         voted = []
 
         async def answer(phone: Visitor) -> None:
@@ -232,7 +232,7 @@ async def _vote(address: str, given: argparse.Namespace) -> None:
                     due = None
                     voted.append(time.time())
                     await phone.choose(chance.randrange(len(stop.options)))
-                seen.waits.append(await phone.look())
+                results.waits.append(await phone.look())
                 await asyncio.sleep(chance.uniform(0, 2 * PHONE_EVERY))
 
         await asyncio.gather(*map(answer, phones))
@@ -243,7 +243,7 @@ async def _vote(address: str, given: argparse.Namespace) -> None:
     after = [min(at for at in counted[number:] if at) - vote for number, vote in enumerate(sorted(voted), start=1)]
     p50, p95, _ = quantiles(after)
     print(f"{len(after)} votes on the wall after p50 {p50:.2f} s, p95 {p95:.2f} s, longest {max(after):.2f} s")
-    print(f"a phone’s look took p95 {1000 * quantiles(seen.waits)[1]:.0f} ms; {dict(seen.errors) or 'no errors'}")
+    print(f"a phone’s look took p95 {1000 * quantiles(results.waits)[1]:.0f} ms; {dict(results.errors) or 'no errors'}")
 
 
 HEAD = (
@@ -252,26 +252,26 @@ HEAD = (
 )
 
 
-def report(name: str, seen: Lesson, bare: Lesson | None = None) -> None:
+def report(name: str, results: Lesson, bare: Lesson | None = None) -> None:
     """Print one line for a lesson, and its processor time relative to the bare page."""
-    runs = max(len(seen.waits), 1)
-    p50, p95, p99 = quantiles(seen.waits)
-    columns = [f"{1000 * value:>6.0f} ms" for value in (p50, p95, p99, max(seen.waits, default=float("nan")))]
-    columns += [f"{len(seen.waits):>9}", f"{sum(seen.errors.values()):>8}"]
+    runs = max(len(results.waits), 1)
+    p50, p95, p99 = quantiles(results.waits)
+    columns = [f"{1000 * value:>6.0f} ms" for value in (p50, p95, p99, max(results.waits, default=float("nan")))]
+    columns += [f"{len(results.waits):>9}", f"{sum(results.errors.values()):>8}"]
     columns += [
-        f"{1000 * seen.processor / runs:>8.1f} ms",
-        f"{seen.bytes / runs:>9.0f}",
-        f"{seen.messages / runs:>10.0f}",
+        f"{1000 * results.processor / runs:>8.1f} ms",
+        f"{results.bytes / runs:>9.0f}",
+        f"{results.messages / runs:>10.0f}",
     ]
-    columns += [f"{seen.memory / 2**20:>8.2f} MiB", f"{1000 * quantiles(seen.opened)[1]:>10.0f} ms"]
+    columns += [f"{results.memory / 2**20:>8.2f} MiB", f"{1000 * quantiles(results.opened)[1]:>10.0f} ms"]
     print(f"{name:<14}{''.join(columns)}", flush=True)
     if bare:
-        ratio = (seen.processor / runs) / (bare.processor / max(len(bare.waits), 1))
+        ratio = (results.processor / runs) / (bare.processor / max(len(bare.waits), 1))
         print(f"{'':<14}{ratio:.2f} × the bare page’s processor time a run")
-    if seen.measured:
-        took = ", ".join(f"{seconds:.1f}" for seconds in sorted(seen.measured))
+    if results.measured:
+        took = ", ".join(f"{seconds:.1f}" for seconds in sorted(results.measured))
         print(f"{'':<14}measurements took {took} s")
-    for error, count in seen.errors.most_common(5):
+    for error, count in results.errors.most_common(5):
         print(f"{'':<14}{count} × {error}")
 
 
