@@ -15,7 +15,7 @@ if __name__ == "__main__":
     page, script = navigation.navigate(hidden=only_machine)
     problems = address.read_once(page.name, links.parameters_of(page))
     display_mode.begin(page.name)
-    address.keep(*links.EVERY_PAGE)
+    address.update(*links.EVERY_PAGE)
     navigation.configure(page)
     if display_mode.is_projector():
         display_mode.pager()
@@ -28,7 +28,7 @@ if __name__ == "__main__":
         # A page may end its run early with st.stop().
         if not (only_machine or display_mode.is_projector()):
             messages.show_how_much_is_translated()
-            display_mode.bar()
+            display_mode.draw_bar()
 else:
     try:
         from ramanujan.shell import server

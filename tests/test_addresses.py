@@ -194,13 +194,13 @@ def test_a_page_at_localhost_links_to_the_network_address(monkeypatch, place, li
     monkeypatch.setattr(type(st.context), "url", property(lambda _context: f"{place}?m=2"))
     link = addresses.link_for_others({"class": "ABC"})
     if has_network() and is_reachable:
-        assert not addresses.is_for_this_computer_alone()
+        assert not addresses.is_only_for_this_computer()
         assert link.port == port
         # Only an address of this computer can be bound.
         with socket.create_server((link.hostname, 0)):
             assert not link.hostname.startswith("127.")
     else:
-        assert addresses.is_for_this_computer_alone()
+        assert addresses.is_only_for_this_computer()
         assert link.geturl().startswith(place)
     assert link.geturl().endswith(f"{place.partition('/')[2].partition('/')[2].partition('/')[2]}?class=ABC")
 
@@ -208,7 +208,7 @@ def test_a_page_at_localhost_links_to_the_network_address(monkeypatch, place, li
 def test_a_network_address_is_unchanged_in_a_link(monkeypatch):
     monkeypatch.setattr(type(st.context), "url", property(lambda _context: "https://school.example/hu/lesson"))
     assert addresses.link_for_others({}).geturl() == "https://school.example/hu/lesson"
-    assert not addresses.is_for_this_computer_alone()
+    assert not addresses.is_only_for_this_computer()
 
 
 def has_network() -> bool:

@@ -8,7 +8,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from ramanujan.lesson.class_codes import ALPHABET, LETTERS, spaced
-from ramanujan.shell.links import parameters_of, tidied
+from ramanujan.shell.links import parameters_of, tidy
 from ramanujan.shell.navigation import PAGES
 from tests.test_addresses import OF_A_CLASS, meant
 
@@ -29,7 +29,7 @@ def test_punctuation_after_a_link_is_not_part_of_its_value(name, end):
         if parameter.name in UNTRIED or parameter.name.endswith("paused"):
             continue
         text = meant(parameter)
-        link = tidied(page.path, f"{parameter.name}={quote(text + end)}")
+        link = tidy(page.path, f"{parameter.name}={quote(text + end)}")
         [(_name, kept)] = parse_qsl(link.partition("?")[2]) if link else [(parameter.name, text + end)]
         assert parameter.read(kept) == parameter.read(text), parameter
 
@@ -38,7 +38,7 @@ def test_punctuation_after_a_link_is_not_part_of_its_value(name, end):
 @given(code=CODES, separator=st.sampled_from(SEPARATORS), end=AROUND, lower=st.booleans())
 def test_a_class_code_is_read_as_printed_on_the_wall(code, separator, end, lower):
     text = spaced(code).replace(" ", separator)
-    link = tidied("lesson", f"class={text.lower() if lower else text}{quote(end)}") or f"lesson?class={text}"
+    link = tidy("lesson", f"class={text.lower() if lower else text}{quote(end)}") or f"lesson?class={text}"
     assert link.upper() == f"LESSON?CLASS={code}"
 
 
@@ -47,25 +47,25 @@ def test_a_class_code_is_read_as_printed_on_the_wall(code, separator, end, lower
 def test_a_valid_address_is_unchanged(query):
     for page in PAGES.values():
         text = query.encode("utf-8", "replace").decode("latin-1")
-        link = tidied(page.path, text)
-        assert link is None or tidied(*link.partition("?")[::2]) is None
+        link = tidy(page.path, text)
+        assert link is None or tidy(*link.partition("?")[::2]) is None
 
 
 def test_a_number_has_the_same_meaning_in_the_address_and_in_the_box():
     for text, value in {"9/8": 1.125, "9%2F8": 1.125, "1,05": 1.05, "9/7)": 9 / 7, "+3/4.": 0.75}.items():
-        [(name, number)] = parse_qsl(tidied("", f"m_prime={text}").removeprefix("?"))
+        [(name, number)] = parse_qsl(tidy("", f"m_prime={text}").removeprefix("?"))
         assert (name, float(number)) == ("m_prime", value)
-    assert tidied("", "m_prime=1.05&k=2e1") is None
+    assert tidy("", "m_prime=1.05&k=2e1") is None
     # The page rejects these.
     for text in ("9/0", "abc", "1/2/3", "1,050", ""):
-        assert tidied("", f"m_prime={text}") is None
+        assert tidy("", f"m_prime={text}") is None
 
 
 def test_parameters_of_other_programs_are_dropped():
     for name in TRACKING.split():
-        assert tidied("", f"{name}=x1&m=2") == "?m=2"
+        assert tidy("", f"{name}=x1&m=2") == "?m=2"
     # Negative control: an unknown setting is kept, so that the page can report it.
-    assert tidied("", "colour=red") is None
+    assert tidy("", "colour=red") is None
 
 
 def test_a_link_opens_its_page(visit, server):

@@ -79,7 +79,7 @@ def started(bare) -> Bare:
     """The stage, the slider of m′ with its box, and the story, for m = 1.5 kg."""
     page = bare()
     page.sliders(m=1.5, m_prime=1, k=10, compression=8, radius=10)
-    page.put(lambda: exact("m_prime", widgets.head(PARAMETERS["m_prime"]), lambda _text: None))
+    page.put(lambda: exact("m_prime", widgets.box_settings(PARAMETERS["m_prime"]), lambda _text: None))
     page.page.evaluate("bus.publish('exact/m_prime', { value: 1, text: '1.0', judged: 0 })")
     page.stage(Oscillator(1.5, 1.0, 10.0))
     page.put(draw_story_button)

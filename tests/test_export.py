@@ -25,7 +25,7 @@ from ramanujan.shell import theme
 
 NUMBERS = Numbers(2.0, 2 * UNIT_MASS_RATIO, 7 / 3)
 ENGINE = shutil.which("pdflatex")
-PICTURE = machine_tikz(Oscillator(), 0.08, theme.on_paper())
+PICTURE = machine_tikz(Oscillator(), 0.08, theme.paper_colors())
 
 
 def values_if(numbers: bool):

@@ -112,7 +112,7 @@ def test_every_listed_page_is_warmed_up(tmp_path, monkeypatch):
     monkeypatch.setattr(gc, "freeze", lambda: None)
 
     async def start() -> None:
-        async with server.warmed_up(None):
+        async with server.lifespan(None):
             pass
 
     # Playwright's own loop runs in the thread of the tests.

@@ -146,7 +146,7 @@ def test_after_a_slider_the_page_agrees_with_its_address(app, path, monkeypatch)
     assert moved[1]["exact/k"]["value"] == 20
     other = shown(AppTest.from_file(str(ROOT / "app.py"), default_timeout=60), m_prime="2.5", k="20")
     assert (all_texts(other), published(other)) == moved
-    monkeypatch.setattr(display_mode, "in_browser", lambda: True)
+    monkeypatch.setattr(display_mode, "is_browser", lambda: True)
     for key in ("m_prime", "k"):
         other.slider(key=key).set_value(PARAMETERS[key].default)
     redrawn = Counter(all_texts(other.run()))

@@ -213,7 +213,7 @@ def test_a_seed_determines_the_worksheet():
 @pytest.mark.parametrize("radius", [0.05, 0.1, 0.2])
 def test_the_picture_is_to_scale(radius):
     """Compare a roller's diameter and the compression of the spring with the machine."""
-    root = ET.fromstring(machine_svg(Oscillator(radius=radius), 0.08, theme.on_paper()))
+    root = ET.fromstring(machine_svg(Oscillator(radius=radius), 0.08, theme.paper_colors()))
     paths = {each.get("data-body"): each.get("d") for each in root.iter("{http://www.w3.org/2000/svg}path")}
     assert {"block", "hoop", "cylinder", "slab", "top"} <= paths.keys()
     down = [float(curve.split()[-1]) for curve in paths["top"].strip("z").split("c")[1:]]

@@ -54,7 +54,7 @@ def contents() -> dict[str, bytes]:
 
 
 @cache
-def place() -> str:
+def folder() -> str:
     """Return the folder of `contents` in an address, relative to the app's address."""
     return f"modules/{sha256(repr(sorted(contents().items())).encode()).hexdigest()[:12]}"
 
@@ -64,7 +64,7 @@ def component(name: str) -> Callable[..., Any]:
     """Return the component of a module, such as components/link. Its script loads the module by begin.js."""
     # All components have the same script, so a browser parses it once. It is short, because Streamlit sends it with
     # every run of the page. It has two lines, because Streamlit interprets a single line as the name of a file.
-    begin = f'new URL("{place()}/begin.js", document.baseURI)'
+    begin = f'new URL("{folder()}/begin.js", document.baseURI)'
     return st.components.v2.component(name, js=f"export default async (c) =>\n(await import({begin})).begin(c)")
 
 

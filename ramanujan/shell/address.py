@@ -2,7 +2,7 @@
 
 A page declares its own parameters as `URL_PARAMETERS`; `parameters` declares those of every page. `read_once` reads the
 address when a page is opened. It copies valid values to the session state, where widgets read them. It removes invalid
-values, with a message for each. `keep` writes the values of widgets into the address. An option is written as its id.
+values, with a message for each. `update` writes the values of widgets into the address. An option is written as its id.
 
 Streamlit binds only the sliders of real numbers to the address, so that a drag does not wait for the server.
 Other bindings of Streamlit would write labels, and raise an error for an empty or infinite value.
@@ -23,50 +23,49 @@ from streamlit.runtime.scriptrunner import get_script_run_ctx
 from ramanujan.translation import _
 
 PRIVATE = ("lecturer", "key", "exercise_key", "frame")
-"""URL parameters of one person: of the lecturer, in a class or with a worksheet, or of one browser in a frame.
-
-*Copy link* omits them.
-"""
+"""URL parameters that contain a lecturer's key, or identify a browser in a frame. *Copy link* omits them."""
 
 UNKNOWN = _("The address contains a setting that this page does not know. It was ignored.")
 """Message about a parameter of no page."""
 
-_THIS_COMPUTER = ("localhost", "127.0.0.1", "::1")
-_EVERYWHERE = (None, "", "0.0.0.0", "::")
+_LOCAL_HOSTS = ("localhost", "127.0.0.1", "::1")
+_ALL_INTERFACES = (None, "", "0.0.0.0", "::")
 """Values of Streamlit's option `server.address` for which the app listens in every network of its computer."""
-_ELSEWHERE = ("198.51.100.1", 9)
+_DISTANT_ADDRESS = ("198.51.100.1", 9)
 """An address and port outside of every network, reserved for documentation."""
 
-_PLACE = "address_page"
-"""Session state: the page whose address was read last."""
-_MET = "address_met"
-"""Session state: name → whether Streamlit binds it, for the URL parameters of every page that was opened."""
+_LAST_PAGE = "address_page"
+"""Session state: name of the page for which the address was last read."""
+_KNOWN = "address_met"
+"""Session state: name → whether Streamlit binds it, for the URL parameters of all pages opened in this session."""
 _WARNED = "address_warned"
-_FEW = 8
+"""Session state: whether the message `UNKNOWN` was shown."""
+_MOST_LISTED = 8
 """Largest number of options in a message."""
-_AROUND = " \t\n\u00a0\u202f.,;:!?…()[]{}<>«»‹›\"'`“”„‟‘’‚‛*|"
-"""Characters that may surround a link in a sentence, and that a copy of the link may contain."""
+_PUNCTUATION = " \t\n\u00a0\u202f.,;:!?…()[]{}<>«»‹›\"'`“”„‟‘’‚‛*|"
+"""Characters that surround a link in a sentence, and that a visitor may copy together with the link."""
 
 
 class URLParameter(ABC):
     """A parameter of the app's URLs. If an address does not contain it, its value is the default."""
 
-    bound: ClassVar[bool] = False
+    is_bound: ClassVar[bool] = False
     """Whether Streamlit binds a widget to the parameter."""
     name: str
     default: Any
-    refused: str
+    template: str
     """Template of the message for an invalid text; its slots are the fields of the parameter."""
 
     @abstractmethod
     def read(self, text: str) -> Any:
         """Parse a text. Raise `ValueError` if it is invalid."""
 
-    def tidied(self, text: str) -> str:
-        """Return a text without surrounding punctuation, if only that makes it valid."""
+    def tidy(self, text: str) -> str:
+        """Remove surrounding punctuation, if the text is invalid with it and valid without it."""
         if self._fits(text):
             return text
-        return bare(text) if self._fits(bare(text)) else text
+        stripped = bare(text)
+        return stripped if self._fits(stripped) else text
 
     def _fits(self, text: str) -> bool:
         try:
@@ -81,7 +80,7 @@ class URLParameter(ABC):
 
     def message(self) -> str:
         """Return the message for an invalid text."""
-        return self.refused.format(**vars(self))
+        return self.template.format(**vars(self))
 
 
 @dataclass(frozen=True)
@@ -92,13 +91,18 @@ class Count(URLParameter):
     most: int
     default: int = 1
     least: int = 1
-    refused = _("The value of {name} in the address was ignored: it must be a whole number from {least} to {most}.")
+    template = _("The value of {name} in the address was ignored: it must be a whole number from {least} to {most}.")
 
     def read(self, text: str) -> int:
         """Return the number. Raise `ValueError` for an invalid text."""
-        if not (len(text) < 20 and text.isascii() and text.isdigit() and self.least <= int(text) <= self.most):
+        is_whole = text.isascii() and text.isdigit()
+        # `int` is slow for a very long text.
+        if not is_whole or len(text) >= 20:
             raise ValueError(self.name)
-        return int(text)
+        value = int(text)
+        if not self.least <= value <= self.most:
+            raise ValueError(self.name)
+        return value
 
 
 @dataclass(frozen=True)
@@ -115,7 +119,7 @@ class Choice(URLParameter):
     name: str
     options: Collection[Any]
     default: Any = None
-    refused = _("The value of {name} in the address was ignored: it must be one of these: {options}.")
+    template = _("The value of {name} in the address was ignored: it must be one of these: {options}.")
 
     def read(self, text: str) -> Any:
         """Return the option. Raise `ValueError` if there is no such option."""
@@ -127,9 +131,11 @@ class Choice(URLParameter):
     def message(self) -> str:
         """Return the message for an invalid text. It contains the options, or the first few of many."""
         texts = list(map(str, self.options))
-        few, more = ", ".join(texts[:_FEW]), len(texts) - _FEW
-        listed = few if more <= 0 else _("{few} and {more} more").format(few=few, more=more)
-        return self.refused.format(name=self.name, options=listed)
+        listed = ", ".join(texts[:_MOST_LISTED])
+        omitted = len(texts) - _MOST_LISTED
+        if omitted > 0:
+            listed = _("{few} and {more} more").format(few=listed, more=omitted)
+        return self.template.format(name=self.name, options=listed)
 
 
 @dataclass(frozen=True)
@@ -137,17 +143,18 @@ class Several(Choice):
     """Any number of options in any order, separated by commas."""
 
     default: tuple[str, ...] = ()
-    refused = _(
+    template = _(
         "The value of {name} in the address was ignored: it must be one or more of these, with commas between them: "
         "{options}."
     )
 
     def read(self, text: str) -> tuple[str, ...]:
         """Return the options without repetitions. Raise `ValueError` if one of them does not exist."""
-        asked = dict.fromkeys(each.strip() for each in text.split(","))
-        if not asked.keys() <= set(self.options):
+        # A dictionary removes repetitions and preserves the order.
+        values = dict.fromkeys(part.strip() for part in text.split(","))
+        if not values.keys() <= set(self.options):
             raise ValueError(self.name)
-        return tuple(asked)
+        return tuple(values)
 
     def write(self, value: tuple[str, ...]) -> str:
         """Return the text of the options in the address."""
@@ -156,23 +163,23 @@ class Several(Choice):
 
 @dataclass(frozen=True)
 class Text(URLParameter):
-    """A text that matches the regular expression `form`. The code that uses it checks its meaning."""
+    """A text that matches the regular expression `pattern`. Whoever uses the value checks whether it has a meaning."""
 
     name: str
-    form: str
-    refused: str
+    pattern: str
+    template: str
     default: str = ""
 
     def read(self, text: str) -> str:
         """Return the text. Raise `ValueError` if it does not match."""
-        if not re.fullmatch(self.form, text, re.ASCII):
+        if not re.fullmatch(self.pattern, text, re.ASCII):
             raise ValueError(self.name)
         return text
 
 
 def bare(text: str) -> str:
     """Return a text without the brackets, quotation marks, full stops and spaces around it."""
-    return text.strip(_AROUND)
+    return text.strip(_PUNCTUATION)
 
 
 def read_once(page: str, parameters: Sequence[URLParameter]) -> list[str]:
@@ -185,18 +192,18 @@ def read_once(page: str, parameters: Sequence[URLParameter]) -> list[str]:
     page : name of the page
     parameters : all URL parameters of the page
     """
-    back = _goes_back()
-    if st.session_state.get(_PLACE) == page and not back:
+    is_history_navigation = _is_history_navigation()
+    if st.session_state.get(_LAST_PAGE) == page and not is_history_navigation:
         return []
-    st.session_state[_PLACE] = page
+    st.session_state[_LAST_PAGE] = page
     messages = []
     for parameter in parameters:
-        message = _copy_to_session(parameter, back)
+        message = _copy_to_session(parameter, resets=is_history_navigation)
         if message:
             messages.append(message)
-    met = st.session_state.setdefault(_MET, {})
-    messages += _remove_unknown({parameter.name for parameter in parameters}, met)
-    met.update({parameter.name: parameter.bound for parameter in parameters})
+    known = st.session_state.setdefault(_KNOWN, {})
+    messages += _remove_unknown({parameter.name for parameter in parameters}, known)
+    known.update({parameter.name: parameter.is_bound for parameter in parameters})
     return messages
 
 
@@ -206,30 +213,35 @@ def current(parameter: URLParameter) -> Any:
     return parameter.default if value is None else value
 
 
-def keep(*parameters: URLParameter) -> Any:
+def update(*parameters: URLParameter) -> Any:
     """Write the values of parameters into the address, and return the value of the last one.
 
     A default is not written. An invalid value of a bound parameter is removed.
     """
     for parameter in parameters:
-        if parameter.bound:
+        if parameter.is_bound:
             if not fits(parameter):
                 st.query_params.pop(parameter.name, None)
             continue
         value = current(parameter)
-        text = None if value == parameter.default else parameter.write(value)
-        if text is None:
+        if value == parameter.default:
             st.query_params.pop(parameter.name, None)
-        elif st.query_params.get(parameter.name) != text:
+            continue
+        text = parameter.write(value)
+        if st.query_params.get(parameter.name) != text:
             st.query_params[parameter.name] = text
     return current(parameters[-1])
 
 
 def link(query: Mapping[str, str], path: str | None = None) -> SplitResult:
     """Return the URL of this page in the browser, with another query and optionally another path."""
-    here = urlsplit(st.context.url or "")
-    path = here.path if path is None else f"{here.path.rpartition('/')[0]}/{path}"
-    return here._replace(path=path, query=urlencode(query, safe=","), fragment="")
+    url = urlsplit(st.context.url or "")
+    if path is None:
+        path = url.path
+    else:
+        folder = url.path.rpartition("/")[0]
+        path = f"{folder}/{path}"
+    return url._replace(path=path, query=urlencode(query, safe=","), fragment="")
 
 
 def link_for_others(query: Mapping[str, str], path: str | None = None) -> SplitResult:
@@ -237,26 +249,29 @@ def link_for_others(query: Mapping[str, str], path: str | None = None) -> SplitR
 
     A browser on the server's own computer may use `localhost`, which other computers cannot open.
     """
-    here = link(query, path)
-    if here.hostname not in _THIS_COMPUTER:
-        return here
+    url = link(query, path)
+    if url.hostname not in _LOCAL_HOSTS:
+        return url
     host = _network_host()
-    return here._replace(netloc=f"{host}:{here.port}") if host and here.port == st.get_option("server.port") else here
+    # Another port belongs to a proxy or a tunnel, which may not be reachable at this host.
+    if host is None or url.port != st.get_option("server.port"):
+        return url
+    return url._replace(netloc=f"{host}:{url.port}")
 
 
-def is_for_this_computer_alone() -> bool:
+def is_only_for_this_computer() -> bool:
     """Return whether no known URL opens this page on other computers."""
-    return link_for_others({}).hostname in _THIS_COMPUTER
+    return link_for_others({}).hostname in _LOCAL_HOSTS
 
 
 def _network_host() -> str | None:
     """Return the IP address of this computer in its network; None without one, or if the app does not listen there."""
-    if st.get_option("server.address") not in _EVERYWHERE:
+    if st.get_option("server.address") not in _ALL_INTERFACES:
         return None
     with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as probe:
         try:
             # Connecting a datagram socket sends nothing, but the system selects the network interface.
-            probe.connect(_ELSEWHERE)
+            probe.connect(_DISTANT_ADDRESS)
         except OSError:
             return None
         host = probe.getsockname()[0]
@@ -280,32 +295,44 @@ def _read(parameter: URLParameter) -> tuple[Any, str | None]:
         return None, parameter.message()
 
 
-def _copy_to_session(parameter: URLParameter, back: bool) -> str | None:
-    """Copy a value from the address to the session state; remove an invalid value and return a message."""
+def _copy_to_session(parameter: URLParameter, resets: bool) -> str | None:
+    """Copy a value from the address to the session state; remove an invalid value and return a message.
+
+    If the address does not contain the parameter, `resets` copies the default instead.
+    """
     value, sentence = _read(parameter)
     # A bound slider reads a valid value and removes an invalid one itself.
-    if parameter.bound:
+    if parameter.is_bound:
         return sentence
     if sentence:
         del st.query_params[parameter.name]
-    elif value is not None or back:
-        st.session_state[parameter.name] = parameter.default if value is None else value
+    elif value is not None:
+        st.session_state[parameter.name] = value
+    elif resets:
+        st.session_state[parameter.name] = parameter.default
     return sentence
 
 
-def _remove_unknown(names: Iterable[str], met: Mapping[str, bool]) -> list[str]:
-    """Remove the parameters of previous pages; return a message if there are parameters of no page."""
-    unknown = set(st.query_params).difference(names)
-    for name in unknown & met.keys():
-        if not met[name]:
+def _remove_unknown(names: Iterable[str], known: Mapping[str, bool]) -> list[str]:
+    """Remove the parameters of previous pages; return a message if there are parameters of no page.
+
+    Parameters
+    ----------
+    names : names of the current page's parameters
+    known : name → whether Streamlit binds it, for the parameters of previous pages
+    """
+    others = set(st.query_params).difference(names)
+    for name in others & known.keys():
+        # Streamlit removes a parameter that it binds.
+        if not known[name]:
             del st.query_params[name]
-    if not unknown - met.keys() or st.session_state.get(_WARNED):
+    if not others - known.keys() or st.session_state.get(_WARNED):
         return []
     st.session_state[_WARNED] = True
     return [UNKNOWN]
 
 
-def _goes_back() -> bool:
+def _is_history_navigation() -> bool:
     """Return whether the user pressed the back or forward button. Then the address overrides the session state."""
     # Streamlit documents this function, but only for threads. There is no documented way to detect the back button.
     context = get_script_run_ctx()

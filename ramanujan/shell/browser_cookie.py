@@ -36,13 +36,25 @@ class NamedBrowser:
                 # The standalone file, which other sites embed, gets no cookie.
                 is_page = headers.get("content-type", "").startswith("text/html") and "." not in scope["path"]
                 if is_page and NAME not in cookie_parser(request.get("cookie", "")):
-                    cookie = f"{NAME}={secrets.token_urlsafe(12)}; Max-Age={_LIFETIME}; Path=/; HttpOnly; SameSite=Lax"
-                    headers.append("set-cookie", cookie)
-                cookies = headers.getlist("set-cookie")
-                if is_secure and cookies:
-                    del headers["set-cookie"]
-                    for cookie in cookies:
-                        headers.append("set-cookie", cookie if "; secure" in cookie.lower() else f"{cookie}; Secure")
+                    headers.append("set-cookie", _new_cookie())
+                if is_secure:
+                    _mark_cookies_as_secure(headers)
             await send(message)
 
         await self.app(scope, receive, send_with_cookie if scope["type"] == "http" else send)
+
+
+def _new_cookie() -> str:
+    """Return the value of a Set-Cookie header with a new random name."""
+    return f"{NAME}={secrets.token_urlsafe(12)}; Max-Age={_LIFETIME}; Path=/; HttpOnly; SameSite=Lax"
+
+
+def _mark_cookies_as_secure(headers: MutableHeaders) -> None:
+    """Add the attribute Secure to each cookie of a response that does not have it."""
+    cookies = headers.getlist("set-cookie")
+    if cookies:
+        del headers["set-cookie"]
+    for cookie in cookies:
+        if "; secure" not in cookie.lower():
+            cookie = f"{cookie}; Secure"
+        headers.append("set-cookie", cookie)

@@ -14,10 +14,12 @@ import streamlit as st
 from ramanujan.derivation import ROUTES, Route
 from ramanujan.derivation.nomenclature import nomenclature
 
-_USUALLY, _WHILE_COMPUTING = sys.getswitchinterval(), 5e-4
+_DEFAULT_INTERVAL, _SHORT_INTERVAL = sys.getswitchinterval(), 5e-4
 """Switch intervals of Python's threads [s]: the default, and that during a long computation."""
-_computing: list[None] = []
-_counting = threading.Lock()
+_computations: list[None] = []
+"""An entry for each long computation that is running. Only the number of entries matters."""
+_lock = threading.Lock()
+"""Protects `_computations` and the switch interval."""
 
 
 @contextmanager
@@ -26,16 +28,16 @@ def responsive() -> Iterator[None]:
 
     Python runs one thread at a time. Another thread waits for up to one switch interval, many times for each answer.
     """
-    with _counting:
-        _computing.append(None)
-        sys.setswitchinterval(_WHILE_COMPUTING)
+    with _lock:
+        _computations.append(None)
+        sys.setswitchinterval(_SHORT_INTERVAL)
     try:
         yield
     finally:
-        with _counting:
-            _computing.pop()
-            if not _computing:
-                sys.setswitchinterval(_USUALLY)
+        with _lock:
+            _computations.pop()
+            if not _computations:
+                sys.setswitchinterval(_DEFAULT_INTERVAL)
 
 
 @st.cache_resource(show_spinner=False)

@@ -12,14 +12,16 @@ from ramanujan.shell.address import Choice, Text
 from ramanujan.translation import _
 
 _LONGEST = 60
+"""Number of characters of a typed code that are read."""
 
 
 class Code(Text):
     """The code of a class."""
 
-    def tidied(self, text: str) -> str:
-        """Return a code without separators between its letters, such as the space on the wall."""
-        return super().tidied("".join(filter(str.isalnum, text[:_LONGEST])))
+    def tidy(self, text: str) -> str:
+        """Remove separators between the letters, such as the space in a code on the wall."""
+        letters = "".join(filter(str.isalnum, text[:_LONGEST]))
+        return super().tidy(letters)
 
 
 _NO_CLASS = _("The value of {name} in the address was ignored: it belongs to no class.")

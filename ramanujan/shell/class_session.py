@@ -28,40 +28,43 @@ from ramanujan.shell.browser_cookie import NAME
 from ramanujan.shell.class_keys import CLASS, FRAME, LECTURER, NOTHING_STORED, WALL
 from ramanujan.shell.parameters import MACHINE
 
-FOLLOWED_EVERY = 0.5
+VIEW_INTERVAL = 0.5
 """Interval at which a wall or another desk reads the view of the desk [s]."""
 
 _KEY, _SEAT, _WALL = "class_key", "class_seat", "class_wall"
+"""Session state: the lecturer's key, the student's seat, and the code of the class if this session is its wall."""
 _AWAITED = "class_waits"
 """Session state: the code of the class in which this session waits for a seat."""
 _SESSION = "class_session"
 """Session state: a random name, used if the browser stores no cookies."""
-_LOCAL = "here"
+_LOCAL_VISITOR = "here"
 """Placeholder for the IP address of a visitor on the server’s own computer, for whom Streamlit returns none."""
 _SETTINGS = "class_settings"
 """Session state: the settings of the desk that this session last sent or received."""
 _FOLLOWED = "class_followed"
 """Session state: the desk’s last message about its stage, and the message to the stage of this screen."""
-_READ_ADDRESS = "class_link_judged"
-_REFUSAL = "class_said"
+_ADDRESS_WAS_READ = "class_address_read"
+"""Session state: whether the role was read from the address."""
+_REFUSAL = "class_refusal"
 """Session state: the error message of the last action."""
-_REFUSED_QUESTION = "class_said_with"
+_REFUSED_QUESTION = "class_refused_question"
 """Session state: the question with which the error message was first shown."""
 
 
 def restore_role() -> None:
     """Read the role from the address, once in a session. Afterwards write the role into the address."""
-    if not st.session_state.get(_READ_ADDRESS):
-        st.session_state[_READ_ADDRESS] = True
+    if not st.session_state.get(_ADDRESS_WAS_READ):
+        st.session_state[_ADDRESS_WAS_READ] = True
         code = address.current(CLASS)
         if key := address.current(LECTURER):
-            run_or_refuse(_sit_at_desk, key)
+            run_or_refuse(_become_lecturer, key)
         elif code and address.current(WALL):
             st.session_state[_WALL] = code.upper()
         elif code:
             run_or_refuse(take_seat, code)
     if key := lecturer_key():
-        _write_address(parts_of(key)[0], lecturer=key)
+        code, _secret = parts_of(key)
+        _write_address(code, lecturer=key)
     elif code := wall_code():
         _write_address(code, wall="on")
     elif code := awaited_class():
@@ -92,7 +95,8 @@ def wall_code() -> str | None:
 
 def phase_of(stop: Stop) -> Phase | None:
     """Return the phase of a stop in the class; None if this is not the lecturer’s session."""
-    if (key := lecturer_key()) is None:
+    key = lecturer_key()
+    if key is None:
         return None
     try:
         last = shared().last_state(shared().code_of(key), stop.id)
@@ -102,14 +106,14 @@ def phase_of(stop: Stop) -> Phase | None:
 
 
 def question(code: str) -> ClassQuestion:
-    """Return the current question of a class; no question for a stop that this version of the app does not have.
+    """Return the current question of a class; no question if this version of the app does not have its stop.
 
-    The class may have begun under another version of the app, before an upgrade or on another machine.
+    The class may have begun under another version of the app, before an upgrade or on another server.
     """
-    asked = shared().question(code)
-    if asked.stop in (None, END) or lesson.has_stop(asked.stop):
-        return asked
-    return replace(asked, stop=None, is_known=False)
+    current = shared().question(code)
+    if current.stop in (None, END) or lesson.has_stop(current.stop):
+        return current
+    return replace(current, stop=None, is_known=False)
 
 
 def open_class(lifetime: float = DAY) -> None:
@@ -119,11 +123,11 @@ def open_class(lifetime: float = DAY) -> None:
 
 def take_seat(code: str) -> None:
     """Join the class with this code, or wait for a seat in it. A session has at most one seat."""
-    named = browser() or st.session_state.setdefault(_SESSION, secrets.token_urlsafe(9))
-    for name in (_SEAT, _AWAITED):
-        st.session_state.pop(name, None)
+    name = browser() or st.session_state.setdefault(_SESSION, secrets.token_urlsafe(9))
+    for entry in (_SEAT, _AWAITED):
+        st.session_state.pop(entry, None)
     try:
-        st.session_state[_SEAT] = shared().join(code, voter_of(named, code), network())
+        st.session_state[_SEAT] = shared().join(code, voter_of(name, code), network())
     except CrowdError:
         st.session_state[_AWAITED] = read_code(code)
         raise
@@ -131,24 +135,25 @@ def take_seat(code: str) -> None:
 
 def browser() -> str:
     """Return the random name of this browser; an empty text if the browser stores nothing for this page."""
-    if name := st.context.cookies.get(NAME):
+    name = st.context.cookies.get(NAME)
+    if name:
         return name
-    return "" if forgets_seat() else address.current(FRAME)
+    return "" if has_no_storage() else address.current(FRAME)
 
 
-def forgets_seat() -> bool:
-    """Return whether this page is in a frame of another site, for which the browser stores nothing."""
+def has_no_storage() -> bool:
+    """Return whether the browser stores nothing for this page, because it is in a frame of another site."""
     return address.current(FRAME) == NOTHING_STORED and NAME not in st.context.cookies
 
 
 def network() -> str:
     """Return the visitor’s IP address.
 
-    It is that of the connection. Uvicorn trusts certain proxies (FORWARDED_ALLOW_IPS, by default the same computer).
-    For their connections it is the last address in X-Forwarded-For, which the proxy itself writes. Otherwise the
-    header is ignored, because a visitor can write anything into it.
+    For a direct connection it is the address of the other end. For a connection from a proxy it is the last address in
+    X-Forwarded-For, which the proxy writes. Uvicorn reads this header only from trusted proxies (FORWARDED_ALLOW_IPS,
+    by default the same computer), because anybody can write it.
     """
-    return st.context.ip_address or _LOCAL
+    return st.context.ip_address or _LOCAL_VISITOR
 
 
 def leave() -> None:
@@ -158,24 +163,27 @@ def leave() -> None:
     _write_address()
 
 
-def run_or_refuse(act: Callable[..., object], *values: object) -> None:
-    """Call a function of the class, and store the message of a `ClassError`."""
+def run_or_refuse(action: Callable[..., object], *arguments: object) -> None:
+    """Call a function of the class. If it raises `ClassError`, store the message (see `refusal`)."""
     for name in (_REFUSAL, _REFUSED_QUESTION):
         st.session_state.pop(name, None)
     try:
-        act(*values)
+        action(*arguments)
     except ClassError as error:
         st.session_state[_REFUSAL] = str(error)
 
 
 def refusal() -> str | None:
-    """Return the error message of the last `attempt`, if there is one."""
+    """Return the error message of the last call of `run_or_refuse`, or None."""
     return st.session_state.get(_REFUSAL)
 
 
 def forget_refusal(question: tuple[str, Vote]) -> None:
-    """Delete an error message that was shown with an earlier question. A question is a stop and a vote."""
-    if _REFUSAL in st.session_state and st.session_state.setdefault(_REFUSED_QUESTION, question) != question:
+    """Delete the error message if it was first shown with another question. A question is a stop and a vote."""
+    if _REFUSAL not in st.session_state:
+        return
+    first_question = st.session_state.setdefault(_REFUSED_QUESTION, question)
+    if question != first_question:
         st.session_state.pop(_REFUSAL)
 
 
@@ -183,22 +191,25 @@ def send_settings(key: str) -> None:
     """Send the values of the desk's sliders to the wall if they have changed."""
     machine = sidebar.oscillator()
     values = {name: getattr(machine, name) for name in MACHINE} | {"compression": sidebar.compression()}
-    if (text := urlencode(values)) != st.session_state.get(_SETTINGS):
-        with suppress(ClassError):
-            shared().set_machine(key, text)
-            st.session_state[_SETTINGS] = text
+    text = urlencode(values)
+    if text == st.session_state.get(_SETTINGS):
+        return
+    with suppress(ClassError):
+        shared().set_machine(key, text)
+        st.session_state[_SETTINGS] = text
 
 
 def apply_settings(settings: str | None) -> None:
     """Set the sliders of the wall to the values of the desk's sliders."""
     st.session_state[_SETTINGS] = settings
-    if settings:
-        values = {name: float(text) for name, text in parse_qsl(settings)}
-        compression = values.pop("compression")
-        machine = Oscillator(**values)
-        if not sidebar.holds(machine, compression):
-            sidebar.take_machine(machine, compression)
-            messages.run_again()
+    if not settings:
+        return
+    values = {name: float(text) for name, text in parse_qsl(settings)}
+    compression = values.pop("compression")
+    machine = Oscillator(**values)
+    if not sidebar.holds(machine, compression):
+        sidebar.take_machine(machine, compression)
+        messages.run_again()
 
 
 def settings_differ(settings: str | None) -> bool:
@@ -209,33 +220,38 @@ def settings_differ(settings: str | None) -> bool:
 def send_view(stop: Stop, view: dict[str, Any]) -> None:
     """Send the desk's view of a stop's machine to all screens, if this is the current stop of the class."""
     key = lecturer_key()
+    if key is None:
+        return
+    code, _secret = parts_of(key)
     with suppress(ClassError):
-        if key and shared().question(parts_of(key)[0]).stop == stop.id:
-            shown = {"stop": stop.id, **view}
-            text = json.dumps(shown)
-            shared().set_view(key, text)
-            st.session_state[_FOLLOWED] = text, {**shown, "ago": 0.0, "own": True}
+        if shared().question(code).stop != stop.id:
+            return
+        message = {"stop": stop.id, **view}
+        text = json.dumps(message)
+        shared().set_view(key, text)
+        st.session_state[_FOLLOWED] = text, {**message, "ago": 0.0, "own": True}
 
 
 def follow(code: str) -> None:
-    """Publish the desk's last view to the stage of this screen, a wall or another desk."""
-    text, ago = shared().view(code)
+    """Show the desk's last view on the stage of this screen. The screen is a wall or another desk."""
+    text, age = shared().view(code)
     if text is None:
         return
-    known, view = st.session_state.get(_FOLLOWED, (None, None))
-    if known != text:
-        view = {**json.loads(text), "ago": ago}
+    last_text, view = st.session_state.get(_FOLLOWED, (None, None))
+    if text != last_text:
+        view = {**json.loads(text), "ago": age}
         st.session_state[_FOLLOWED] = text, view
     components.publish("class_seen_published", {f"view/stop_{view['stop']}": view})
 
 
-def _sit_at_desk(key: str) -> None:
+def _become_lecturer(key: str) -> None:
+    """Make this session the lecturer's. Raise `ClassError` if no class has this key."""
     shared().code_of(key)
     st.session_state[_KEY] = key
 
 
 def _write_address(code: str = "", lecturer: str = "", wall: str | None = None) -> None:
     """Write the role in a class into the address, or remove it."""
-    for key, value in ((CLASS, code), (LECTURER, lecturer), (WALL, wall)):
-        st.session_state[key.name] = value
-    address.keep(CLASS, LECTURER, WALL)
+    for parameter, value in ((CLASS, code), (LECTURER, lecturer), (WALL, wall)):
+        st.session_state[parameter.name] = value
+    address.update(CLASS, LECTURER, WALL)

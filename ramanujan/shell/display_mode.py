@@ -26,13 +26,15 @@ SLIDE = address.Text(
 STANDALONE = (*PARAMETERS, "layers", "speed", "from", "paused")
 """URL parameters of the standalone file."""
 _PAGE = "display_page"
+"""Session state: name of the page that the last run drew."""
 URL_PARAMETERS = (VIEW, HIDE, SLIDE)
 """Display options in the address of every page."""
 
 _SWITCH = "projector"
+"""Key of the switch for the projector view."""
 
 
-def in_browser() -> bool:
+def is_browser() -> bool:
     """Return whether the client is a browser. A test that runs the script sends no HTTP headers."""
     return bool(st.context.headers)
 
@@ -74,14 +76,21 @@ def columns(name: str) -> Sequence[AbstractContextManager[Any]]:
     return row.container(), row.container()
 
 
-def picture_and_words(wide: int = 3) -> Sequence[AbstractContextManager[Any]]:
-    """Return columns of the widths `wide` and 2 for picture and text of a slide; no columns in the normal view."""
-    return st.columns([wide, 2], gap="medium") if is_projector() else (nullcontext(), nullcontext())
+def picture_and_words(picture_width: int = 3) -> Sequence[AbstractContextManager[Any]]:
+    """Return columns for picture and text of a slide; no columns in the normal view.
+
+    Parameters
+    ----------
+    picture_width : width of the picture's column, relative to 2 for the text
+    """
+    if is_projector():
+        return st.columns([picture_width, 2], gap="medium")
+    return nullcontext(), nullcontext()
 
 
 @st.fragment
 def folded(name: str, title: str, draw: Callable[[], None], *, expanded: bool = False) -> None:
-    """Call `draw` on a slide of the projector view. In the normal view call it in an expander when that is open."""
+    """Draw an expander and call `draw` while it is open. In the projector view, call `draw` on a slide instead."""
     if is_projector():
         with slide(name, title):
             draw()
@@ -93,7 +102,7 @@ def folded(name: str, title: str, draw: Callable[[], None], *, expanded: bool = 
 
 
 def begin(name: str) -> None:
-    """Select the first slide when another page is opened, unless the address contains a slide."""
+    """Begin a run of the page with this name. After another page, select the first slide if the address has none."""
     if st.session_state.get(_PAGE, name) != name and SLIDE.name not in st.query_params:
         st.session_state[SLIDE.name] = ""
     st.session_state[_PAGE] = name
@@ -102,7 +111,7 @@ def begin(name: str) -> None:
 @st.fragment
 def pager() -> None:
     """Draw the controls that select a slide. A selection reruns only this fragment."""
-    address.keep(SLIDE)
+    address.update(SLIDE)
     components.pager(lambda name: st.session_state.update({SLIDE.name: name}))
 
 
@@ -111,18 +120,18 @@ def hides(*parts: str) -> bool:
     return not set(parts).isdisjoint(address.current(HIDE))
 
 
-def on_stage() -> tuple[str, ...]:
-    """Return the hidden parts that belong to a stage."""
+def hidden_stage_parts() -> tuple[str, ...]:
+    """Return the parts of a stage that the link hides."""
     return tuple(part for part in address.current(HIDE) if part in stage.PARTS)
 
 
-def bar() -> None:
+def draw_bar() -> None:
     """Draw the bar of the page, above it or on a narrow screen below it (page.css): link and projector switch."""
     st.session_state[_SWITCH] = is_projector()
     with st.container(horizontal=True, vertical_alignment="center", key="bar"):
         components.link(address.PRIVATE, STANDALONE)
-        st.toggle(_("Projector"), key=_SWITCH, on_change=_switched)
+        st.toggle(_("Projector"), key=_SWITCH, on_change=_store_view)
 
 
-def _switched() -> None:
+def _store_view() -> None:
     st.session_state[VIEW.name] = "projector" if st.session_state[_SWITCH] else None

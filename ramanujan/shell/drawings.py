@@ -41,13 +41,13 @@ def plot(figure: BaseFigure, key: str, alt: str, *, config: dict[str, Any] = STI
     config, options : arguments of Plotly and of `st.plotly_chart`
     """
     is_projector = display_mode.is_projector()
-    saved = {"toImageButtonOptions": {"format": "svg", "filename": f"ramanujan-{key}", "scale": 3}}
+    download = {"toImageButtonOptions": {"format": "svg", "filename": f"ramanujan-{key}", "scale": 3}}
     st.plotly_chart(
         in_large_print(figure) if is_projector else figure,
         height="stretch" if is_projector else "content",
         theme=None,
         key=key,
-        config=_LOCALE | saved | config,
+        config=_LOCALE | download | config,
         alt=alt,
         **options,
     )

@@ -18,10 +18,10 @@ def begin() -> bool:
     """Mount the services of the page, and return whether this run draws only the machine."""
     is_first = _ONLY_MACHINE not in st.session_state and navigation.is_first_page()
     # Without a browser no machine moves, and the projector view needs all slides from the start.
-    can_wait = is_first and display_mode.in_browser() and st.query_params.get("view") != "projector"
+    can_wait = is_first and display_mode.is_browser() and st.query_params.get("view") != "projector"
     # After a restart of the server, the machine of an open page is already moving.
-    moves = components.mount_services(theme.current(), waits=can_wait, on_moving=messages.keep_in_next_run)
-    st.session_state[_ONLY_MACHINE] = can_wait and not moves
+    is_moving = components.mount_services(theme.current(), waits=can_wait, on_moving=messages.keep_in_next_run)
+    st.session_state[_ONLY_MACHINE] = can_wait and not is_moving
     return only_machine()
 
 

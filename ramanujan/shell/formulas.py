@@ -3,12 +3,19 @@
 from ramanujan.derivation.rows import Row, aligned
 
 LINE_WIDTH, ROOM = 34, 37
-"""Number of characters of a formula that fit next to the machine, without and with an operation behind it."""
-_MANY = 6
-"""Style of equations with less space between the lines."""
+"""Number of characters that fit next to the machine: of a formula, and of a formula with its operation behind it."""
+_LONG_BLOCK = 6
+"""Number of lines from which a block has less space between its lines."""
 
 
-def beside_the_machine(shown: list[Row], room: float = ROOM) -> str:
-    """Return the equations as one block, aligned at the equals signs; those of the form … = 0 at the left."""
-    lines = sum(len(each.lines(LINE_WIDTH)) for each in shown)
-    return aligned(shown, LINE_WIDTH, ".5em" if lines < _MANY else ".3em", room)
+def typeset_beside_machine(rows: list[Row], room: float = ROOM) -> str:
+    """Return equations as one block of LaTeX, aligned at the equals signs. Equations “… = 0” are at the left.
+
+    Parameters
+    ----------
+    rows : the equations
+    room : number of characters that fit into a line with its operation
+    """
+    lines = sum(len(row.lines(LINE_WIDTH)) for row in rows)
+    space = ".5em" if lines < _LONG_BLOCK else ".3em"
+    return aligned(rows, LINE_WIDTH, space, room)

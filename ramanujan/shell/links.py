@@ -27,11 +27,16 @@ EVERY_PAGE = (*display_mode.URL_PARAMETERS, *class_keys.URL_PARAMETERS)
 
 def parameters_of(page: Page) -> tuple[address.URLParameter, ...]:
     """Return all URL parameters of a page."""
-    shared = (parameters, display_mode, class_keys, stages)
-    return (*(each for room in shared for each in room.URL_PARAMETERS), *page.url_parameters)
+    return (
+        *parameters.URL_PARAMETERS,
+        *display_mode.URL_PARAMETERS,
+        *class_keys.URL_PARAMETERS,
+        *stages.URL_PARAMETERS,
+        *page.url_parameters,
+    )
 
 
-def tidied(path: str, query: str) -> str | None:
+def tidy(path: str, query: str) -> str | None:
     """Return the corrected address of a page; None if the link is correct or does not lead to a page.
 
     Parameters
@@ -39,7 +44,7 @@ def tidied(path: str, query: str) -> str | None:
     path : path of the link, relative to the base path of the app
     query : query of the link, without its question mark
 
-    >>> tidied("Derivation", "m_prime=9/8)&utm_source=mail")
+    >>> tidy("Derivation", "m_prime=9/8)&utm_source=mail")
     'derivation?m_prime=1.125'
     """
     bare_path = address.bare(path).strip("/").casefold()
@@ -51,7 +56,7 @@ def tidied(path: str, query: str) -> str | None:
     corrected = []
     for name, text in parsed:
         if name in known:
-            corrected.append((name, known[name].tidied(text)))
+            corrected.append((name, known[name].tidy(text)))
         elif not _TRACKING.fullmatch(name):
             corrected.append((name, address.bare(text)))
     if page.path == path and corrected == parsed:
@@ -64,12 +69,21 @@ class TidyLinks:
 
     def __init__(self, app: Any) -> None:
         base = st.get_option("server.baseUrlPath").strip("/")
-        self.app, self.base_path = app, f"/{base}/" if base else "/"
+        self.app = app
+        self.base_path = f"/{base}/" if base else "/"
 
     async def __call__(self, scope: dict[str, Any], receive: Any, send: Any) -> None:
-        response = self.app
-        if scope["type"] == "http" and scope["path"].startswith(self.base_path):
-            link = tidied(scope["path"].removeprefix(self.base_path), scope["query_string"].decode("latin-1"))
-            if link is not None:
-                response = RedirectResponse(f"{self.base_path}{link}", headers={"cache-control": "no-store"})
-        await response(scope, receive, send)
+        link = self._corrected(scope) if scope["type"] == "http" else None
+        if link is None:
+            await self.app(scope, receive, send)
+            return
+        redirect = RedirectResponse(f"{self.base_path}{link}", headers={"cache-control": "no-store"})
+        await redirect(scope, receive, send)
+
+    def _corrected(self, scope: dict[str, Any]) -> str | None:
+        """Return the corrected address of a request; None if it is correct or does not lead to a page."""
+        if not scope["path"].startswith(self.base_path):
+            return None
+        path = scope["path"].removeprefix(self.base_path)
+        query = scope["query_string"].decode("latin-1")
+        return tidy(path, query)

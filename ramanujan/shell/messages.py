@@ -16,7 +16,7 @@ _STAY = "messages_stay"
 
 
 def begin(problems: list[str]) -> None:
-    """Begin a run: show the problems of the address. A run that the page requested itself repeats the old messages."""
+    """Begin a run: show the problems of the address. After `keep_in_next_run` the run also shows the old messages."""
     stays = st.session_state.pop(_STAY, False)
     old_problems = st.session_state.get(_ABOUT_ADDRESS, []) if stays else []
     old_notes = st.session_state.get(_SHOWN, {}) if stays else {}
@@ -35,15 +35,25 @@ def warn(sentence: str) -> None:
 
 
 def note(key: str, sentence: str, warning: bool = False) -> None:
-    """Show a sentence at the box of a parameter, or in the next run if the box is already drawn."""
+    """Store a sentence for the next run, which shows it at the box of a parameter.
+
+    Parameters
+    ----------
+    key : key of the parameter
+    sentence : the message
+    warning : whether it is a warning or an information
+    """
     st.session_state[_NOTES] = {**st.session_state.get(_NOTES, {}), key: (sentence, warning)}
 
 
 def show_note(key: str) -> None:
-    """Draw the message at the box of a parameter."""
-    if message := st.session_state.get(_SHOWN, {}).get(key):
-        sentence, warning = message
-        (st.warning if warning else st.info)(sentence)
+    """Draw the message at the box of a parameter, if there is one."""
+    notes = st.session_state.get(_SHOWN, {})
+    if key not in notes:
+        return
+    sentence, is_warning = notes[key]
+    draw = st.warning if is_warning else st.info
+    draw(sentence)
 
 
 def are_shown() -> bool:

@@ -52,33 +52,33 @@ class Page:
     @property
     def url_parameters(self) -> tuple[URLParameter, ...]:
         """The URL parameters of the page, besides those of every page."""
-        return self._declared("URL_PARAMETERS")
+        return self._attribute("URL_PARAMETERS")
 
     def draw_header(self) -> bool:
-        """Draw the controls at the top of the page and return True; return False to leave them to the sidebar.
+        """Draw the controls at the top of the page, if it has any. Return False if the sidebar has to draw them.
 
         Call it outside of the page's script: Streamlit deletes the widgets of a script when another page opens.
         """
-        return self._declared("draw_header", lambda: False)()
+        return self._attribute("draw_header", lambda: False)()
 
     def uses_sidebar(self) -> bool:
         """Return whether the page in its current state uses the sidebar; if not, the sidebar is closed at first."""
-        return self._declared("uses_sidebar", lambda: True)()
+        return self._attribute("uses_sidebar", lambda: True)()
 
     def withheld_presets(self) -> Collection[str]:
         """Return the presets that the sidebar omits, because they would reveal an answer."""
-        return self._declared("withheld_presets", tuple)()
+        return self._attribute("withheld_presets", tuple)()
 
     def folded_parameters(self) -> Collection[str]:
         """Return the parameters with sliders in an expander, because they only change the motion of the picture."""
-        return self._declared("FOLDED_PARAMETERS", ())
+        return self._attribute("FOLDED_PARAMETERS", ())
 
     def warm_up(self) -> None:
         """Import the page, and fill the caches that its first visitor needs."""
-        self._declared("warm_up", lambda: None)()
+        self._attribute("warm_up", lambda: None)()
 
-    def _declared(self, name: str, *default: Any) -> Any:
-        """Return the attribute with this name of the page's module."""
+    def _attribute(self, name: str, *default: Any) -> Any:
+        """Return the attribute with this name of the page's module, or the default."""
         return getattr(import_module(f"ramanujan.pages.{self.name}.page"), name, *default)
 
 
@@ -97,7 +97,7 @@ PAGES = {
 
 
 def is_first_page() -> bool:
-    """Return whether the browser requests the first page. It does not depend on `navigate`."""
+    """Return whether the browser requests the first page. The answer is available before `navigate` is called."""
     path = urlsplit(st.context.url or "").path.rpartition("/")[2]
     return path not in {page.path for page in PAGES.values() if page.path}
 

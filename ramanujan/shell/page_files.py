@@ -20,7 +20,7 @@ _STREAMLIT = Path(st.__file__).parent / "static"
 _TYPES = {".js": "text/javascript", ".css": "text/css", ".svg": "image/svg+xml", ".woff2": "font/woff2"}
 _IMMUTABLE = {"cache-control": "public, immutable, max-age=31536000"}
 _STREAMLIT_PATHS = {"_stcore", "media", "component", "static", "app", "auth", "oauth2callback"}
-"""Parts of addresses that do not belong to pages."""
+"""Names in addresses for which Streamlit, and not a page, is responsible."""
 
 
 class _File(NamedTuple):
@@ -56,10 +56,10 @@ class PageFiles:
             return
         headers = file.headers | {"vary": "accept-encoding"}
         if "gzip" in Headers(scope=scope).get("accept-encoding", ""):
-            answer = Response(file.compressed, file.status, headers | {"content-encoding": "gzip"})
+            response = Response(file.compressed, file.status, headers | {"content-encoding": "gzip"})
         else:
-            answer = Response(file.content, file.status, headers)
-        await answer(scope, receive, send)
+            response = Response(file.content, file.status, headers)
+        await response(scope, receive, send)
 
     def _file(self, scope: dict[str, Any]) -> _File | None:
         """Return the file at the address of a request, or None for a request to Streamlit."""
@@ -84,9 +84,9 @@ def _streamlit_files() -> dict[str, _File]:
         address = path.relative_to(_STREAMLIT).as_posix()
         if path.name.startswith("MaterialSymbols"):
             icons = modules.contents()["components/icons.woff2"]
-            files[address] = _compressed(icons, _TYPES[".woff2"], {"cache-control": "public, max-age=86400"})
+            files[address] = _compress(icons, _TYPES[".woff2"], {"cache-control": "public, max-age=86400"})
         elif path.suffix in {".js", ".css", ".svg"}:
-            files[address] = _compressed(path.read_bytes(), _TYPES[path.suffix], _IMMUTABLE)
+            files[address] = _compress(path.read_bytes(), _TYPES[path.suffix], _IMMUTABLE)
     return files
 
 
@@ -94,18 +94,19 @@ def _module_files() -> dict[str, _File]:
     """Return address → file for our own modules, style sheets and fonts."""
     files = {}
     for name, content in modules.contents().items():
-        files[f"{modules.place()}/{name}"] = _compressed(content, _TYPES[Path(name).suffix], _IMMUTABLE)
+        files[f"{modules.folder()}/{name}"] = _compress(content, _TYPES[Path(name).suffix], _IMMUTABLE)
     return files
 
 
 def _standalone() -> _File:
     """Return the standalone file, which other pages may embed."""
     content = standalone.html().encode()
-    return _compressed(content, "text/html; charset=utf-8", {"cache-control": "no-cache"})
+    return _compress(content, "text/html; charset=utf-8", {"cache-control": "no-cache"})
 
 
-def _compressed(content: bytes, kind: str, headers: dict[str, str]) -> _File:
-    return _File(content, gzip.compress(content, 6), {"content-type": kind, **headers})
+def _compress(content: bytes, media_type: str, headers: dict[str, str]) -> _File:
+    """Return a file with a compressed copy of its content."""
+    return _File(content, gzip.compress(content, 6), {"content-type": media_type, **headers})
 
 
 def _page(*, has_formulas: bool) -> _File:
@@ -113,4 +114,4 @@ def _page(*, has_formulas: bool) -> _File:
     html = start_page.html(has_formulas=has_formulas)
     policy = start_page.content_security_policy()
     headers = {"cache-control": "no-cache", "content-security-policy": policy, "referrer-policy": "no-referrer"}
-    return _compressed(html, "text/html; charset=utf-8", headers)
+    return _compress(html, "text/html; charset=utf-8", headers)

@@ -25,10 +25,10 @@ class Parameter(URLParameter):
     least, most, default, step, format : arguments of the slider, in this unit
     scale : the unit in SI units
     short : short form of the meaning, for the label of a box
-    aside : whether the slider is in an expander
+    is_folded : whether the slider is in an expander
     """
 
-    bound: ClassVar[bool] = True
+    is_bound: ClassVar[bool] = True
     name: str
     symbol: str
     meaning: str
@@ -40,7 +40,7 @@ class Parameter(URLParameter):
     format: str
     scale: float = 1.0
     short: str = ""
-    aside: bool = False
+    is_folded: bool = False
 
     def read(self, text: str) -> float:
         """Return the number, as Streamlit's sliders parse it. Raise `ValueError` for an invalid text."""
@@ -49,17 +49,19 @@ class Parameter(URLParameter):
             raise ValueError(self.name)
         return value
 
-    def tidied(self, text: str) -> str:
+    def tidy(self, text: str) -> str:
         """Return a number as text for Streamlit's sliders, also for a text that only the box accepts, such as 9/8."""
-        tidied, typed = super().tidied(text), bare(text)
-        if self._fits(tidied) or two_readings(typed) or (number := read_number(typed)) is None:
+        tidied = super().tidy(text)
+        typed = bare(text)
+        if self._fits(tidied) or two_readings(typed):
             return tidied
-        return repr(number)
+        value = read_number(typed)
+        return tidied if value is None else repr(value)
 
     def message(self) -> str:
         """Return the error message for an invalid text."""
         sentence = _("The value of {name} in the address was ignored: it must be a number from {least} to {most}.")
-        return sentence.format(name=self.name, least=number(self.least, strip=True), most=self.written(self.most))
+        return sentence.format(name=self.name, least=number(self.least, strip=True), most=self.with_unit(self.most))
 
     @property
     def label(self) -> str:
@@ -84,13 +86,13 @@ class Parameter(URLParameter):
         """The range in SI units."""
         return self.least * self.scale, self.most * self.scale
 
-    def written(self, value: float) -> str:
+    def with_unit(self, value: float) -> str:
         """Return the text of a value with its unit."""
         return quantity(value, self.unit, 7, strip=True)
 
     def equation(self, value: float) -> str:
         """Return the text "symbol = value unit" for a value."""
-        return f"{self.symbol}\u00a0=\u00a0{self.written(value)}"
+        return f"{self.symbol}\u00a0=\u00a0{self.with_unit(value)}"
 
     def clamp(self, value: float) -> float:
         """Return the nearest value within the range."""
@@ -98,15 +100,15 @@ class Parameter(URLParameter):
 
 
 _BLOCK, _ROLLER = _("mass of block, slab and top cylinder"), _("mass of each lower roller")
-_SQUEEZED, _RADIUS = _("compression at release"), _("radius of the rollers")
+_COMPRESSION, _RADIUS = _("compression at release"), _("radius of the rollers")
 PARAMETERS = {
     parameter.name: parameter
     for parameter in (
         Parameter("m", "m", _BLOCK, "kg", 0.5, 5.0, 1.0, 0.01, "%.2f", short=_("block, slab, top")),
         Parameter("m_prime", "m′", _ROLLER, "kg", 0.05, 10.0, 1.0, 0.01, "%.2f", short=_("each lower roller")),
         Parameter("k", "k", _("stiffness of the spring"), "N/m", 1.0, 200.0, 10.0, 0.5, "%.1f", short=_("stiffness")),
-        Parameter("compression", "x₀", _SQUEEZED, "cm", 0.5, 12.0, 8.0, 0.1, "%.1f", 0.01, _("compression")),
-        Parameter("radius", "R", _RADIUS, "cm", 5.0, 20.0, 10.0, 0.5, "%.1f", 0.01, _("roller radius"), aside=True),
+        Parameter("compression", "x₀", _COMPRESSION, "cm", 0.5, 12.0, 8.0, 0.1, "%.1f", 0.01, _("compression")),
+        Parameter("radius", "R", _RADIUS, "cm", 5.0, 20.0, 10.0, 0.5, "%.1f", 0.01, _("roller radius"), is_folded=True),
     )
 }
 """Name → parameter in the sidebar and in the address of every page, in the order of the sliders."""
@@ -123,7 +125,7 @@ WATCH: dict[str, dict[str, Any]] = {
     name: {"parameter": name, "scale": PARAMETERS[name].scale, "step": PARAMETERS[name].step}
     for name in (*MACHINE, "compression")
 }
-"""Key of a slider → the parameter of the stage that follows it, in the format of the stage component."""
+"""Key of a slider → the parameter of the stage that it changes, in the format of the argument `watch` of a stage."""
 
 SENTENCES = {
     "unreadable": _(

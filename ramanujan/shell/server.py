@@ -19,25 +19,25 @@ from ramanujan.shell.page_files import PageFiles
 
 MIDDLEWARE = [Middleware(TidyLinks), Middleware(NamedBrowser), Middleware(PageFiles)]
 """Middleware in order: correct a link, name the browser, serve the file or the page."""
-HOUR = 3600.0
-"""Seconds between two deletions of expired answers."""
+DELETION_INTERVAL = 3600.0
+"""Time between two deletions of expired answers [s]."""
 
 
 def settings() -> dict[str, Any]:
     """Return the arguments of `st.App` besides the script: the middleware, and the tasks at start and end."""
-    return {"middleware": MIDDLEWARE, "lifespan": warmed_up}
+    return {"middleware": MIDDLEWARE, "lifespan": lifespan}
 
 
 @asynccontextmanager
-async def warmed_up(_: st.App) -> AsyncIterator[None]:
-    """Import all pages when the server starts, and exclude them from garbage collection.
+async def lifespan(_: st.App) -> AsyncIterator[None]:
+    """Import all pages when the server starts, exclude them from garbage collection, and delete expired answers.
 
-    The imports of a page take seconds, and a class opens every page within a minute. Imported modules never change, so
-    the collector need not visit them.
+    The import of a page takes seconds, and a class opens every page within a minute. The garbage collector need not
+    visit imported modules, because they are never deleted.
     """
     for page in navigation.PAGES.values():
         page.warm_up()
-    modules.place()
+    modules.folder()  # fills the cache of the files
     gc.collect()
     gc.freeze()
     deletion = asyncio.create_task(delete_expired_answers())
@@ -51,4 +51,4 @@ async def delete_expired_answers() -> None:
         # The store logs the reason of a failure, and the next hour tries again.
         with suppress(ClassError):
             await run_in_threadpool(lambda: shared().delete_expired())
-        await asyncio.sleep(HOUR)
+        await asyncio.sleep(DELETION_INTERVAL)

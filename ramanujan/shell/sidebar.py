@@ -52,13 +52,13 @@ def draw(withheld: Collection[str], aside: Collection[str]) -> None:
     """
     with st.sidebar, st.container(key="controls"):
         components.drawer()
-        folded = [key for key, each in PARAMETERS.items() if each.aside or key in aside]
+        folded = [key for key, each in PARAMETERS.items() if each.is_folded or key in aside]
         for key in PARAMETERS:
             if key not in folded:
                 slider(key)
         more([name for name in PRESETS if name not in withheld], folded)
         if display_mode.is_projector():
-            display_mode.bar()
+            display_mode.draw_bar()
         end()
 
 
@@ -131,7 +131,7 @@ def _moved() -> None:
     """
     pending_updates.reassert()
     fragments = st.session_state.get(_FOLLOW)
-    if fragments and display_mode.in_browser() and not (_requests() or pending_updates.waits() or messages.are_shown()):
+    if fragments and display_mode.is_browser() and not (_requests() or pending_updates.waits() or messages.are_shown()):
         st.rerun(fragments)
 
 
@@ -203,7 +203,7 @@ def _set_ratio(ratio: float, digits: int) -> None:
     sentences = []
     if new_m != m:
         sentence = SENTENCES["lighter" if m_prime > bound else "heavier"]
-        values = {"old": others.written(m), "new": others.written(new_m), "bound": rollers.written(bound)}
+        values = {"old": others.with_unit(m), "new": others.with_unit(new_m), "bound": rollers.with_unit(bound)}
         sentences.append(sentence.format(**values))
     if not math.isclose(new_m, nearest):
         sentences.append(
@@ -263,7 +263,7 @@ def _take_preset() -> None:
 
 def slider(key: str) -> None:
     """Draw the slider of a parameter with its box, in one place in each run, before `end`."""
-    components.exact(key, widgets.head(PARAMETERS[key]), partial(enter, key))
+    components.exact(key, widgets.box_settings(PARAMETERS[key]), partial(enter, key))
     messages.show_note(key)
     widgets.slider(PARAMETERS[key], label_visibility="collapsed", on_change=_moved)
 
@@ -276,7 +276,7 @@ def take_exact(key: str, text: str) -> None:
     number, readings = read_number(text), two_readings(text)
     if number is not None and readings:
         decimal, whole = readings
-        old = parameter.written(parameter.value)
+        old = parameter.with_unit(parameter.value)
         sentence = SENTENCES["ambiguous"].format(text=text.strip(), decimal=decimal, whole=whole, old=old)
         messages.note(parameter.name, sentence, warning=True)
         return
@@ -284,8 +284,8 @@ def take_exact(key: str, text: str) -> None:
         pending_updates.set_widgets({parameter.name: number})
         return
     sentence = SENTENCES["unreadable" if number is None else "outside"]
-    limits = {"least": written(parameter.least, strip=True), "most": parameter.written(parameter.most)}
-    sentence = sentence.format(symbol=parameter.symbol, old=parameter.written(parameter.value), **limits)
+    limits = {"least": written(parameter.least, strip=True), "most": parameter.with_unit(parameter.most)}
+    sentence = sentence.format(symbol=parameter.symbol, old=parameter.with_unit(parameter.value), **limits)
     messages.note(parameter.name, sentence, warning=True)
 
 

@@ -1,7 +1,8 @@
 """The stages of the pages. A stage hides the parts that the link hides, and follows the sliders of the sidebar.
 
-A script in the page (keeper.js) writes the view of a stage into the address: layers, speed, frame of reference, and the
-time of a pause. This time is in periods since the release, for machine and plain mass of each machine on the clock.
+A script in the page (keeper.js) writes the view of a stage into the address: layers, speed and frame of reference. If
+the stage is paused, the parameter `paused` contains two numbers for each machine on its clock: the periods since the
+release of the machine and of its plain mass.
 """
 
 from collections.abc import Mapping
@@ -19,12 +20,12 @@ LIMITS = PARAMETERS["compression"].limits
 def url_parameters(prefix: str = "") -> tuple[address.URLParameter, ...]:
     """Return the URL parameters for the view of the stages with this prefix."""
     refused = _("The value of {name} in the address was ignored: it must be periods, with commas between them.")
-    turns = r"-?\d{1,6}(\.\d{1,6})?"
+    periods = r"-?\d{1,6}(\.\d{1,6})?"
     return (
         address.Several(f"{prefix}layers", ("none", *stage.LAYERS)),
         address.Choice(f"{prefix}speed", ("1", "0.5", "0.1"), "1"),
         address.Choice(f"{prefix}from", ("ground", "block"), "ground"),
-        address.Text(f"{prefix}paused", rf"{turns}(,{turns}){{1,39}}", refused),
+        address.Text(f"{prefix}paused", rf"{periods}(,{periods}){{1,39}}", refused),
     )
 
 
@@ -33,15 +34,19 @@ URL_PARAMETERS = url_parameters()
 
 
 def mount(payload: Mapping[str, Any] | None, **more: Any) -> None:
-    """Call `stage.mount`, and hide the parts that the link hides.
+    """Draw a stage without the parts that the link hides.
 
-    By default the stage follows the sliders, and the limits of x₀ are those of its slider. `limits` and `watch` replace
-    these defaults.
+    Parameters
+    ----------
+    payload : machine and motion, or None if `publish` sends them
+    more : arguments of `stage.mount`. By default the stage follows the sliders (`watch`) and has the range of x₀ of its
+        slider (`limits`).
     """
-    hidden = {*display_mode.on_stage(), *more.pop("hide", ())}
-    stage.mount(payload, **{"limits": LIMITS, "watch": WATCH, **more}, hide=hidden)
+    defaults = {"limits": LIMITS, "watch": WATCH}
+    hidden = {*display_mode.hidden_stage_parts(), *more.pop("hide", ())}
+    stage.mount(payload, **(defaults | more), hide=hidden)
 
 
 def publish(payload: Mapping[str, Any], **more: Any) -> None:
     """Publish the machine of a stage that was mounted without data, with the parts that the link hides."""
-    stage.publish(payload, hide=display_mode.on_stage(), **more)
+    stage.publish(payload, hide=display_mode.hidden_stage_parts(), **more)

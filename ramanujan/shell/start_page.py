@@ -1,6 +1,7 @@
 """The start page: Streamlit's own page, with the app's fonts, style sheets and first modules.
 
-Streamlit would load these seconds later on a slow machine, after the first headings, and the page would jump.
+If Streamlit loaded them, they would arrive after the first headings, on a slow computer seconds later. Then the page
+would jump.
 """
 
 import re
@@ -16,8 +17,8 @@ from ramanujan.translation import LANGUAGE
 _STREAMLIT = Path(st.__file__).parent / "static"
 _FRAME = Path(modules.__file__).parent / "frame.js"
 _FONT = re.compile(rb'<link\s[^>]*as="font"[^>]*>')
-"""Streamlit's preload of a font. page.css has a smaller font."""
-_FIRST = ("begin", "components/services", "components/publish", "stage/stage")
+"""Streamlit's link that preloads its own font. The app replaces this font with a smaller one (page.css)."""
+_FIRST_MODULES = ("begin", "components/services", "components/publish", "stage/stage")
 """Modules that draw the machine and import the others. A preload of all modules would delay these."""
 
 
@@ -37,8 +38,8 @@ def content_security_policy() -> str:
 
 def html(*, has_formulas: bool) -> bytes:
     """Return the page. A page without formulas loads fewer fonts."""
-    place = f"./{modules.place()}"
-    fonts = [f"{place}/{name}" for name in sorted(modules.contents()) if "fonts/" in name]
+    folder = f"./{modules.folder()}"
+    fonts = [f"{folder}/{name}" for name in sorted(modules.contents()) if "fonts/" in name]
     if has_formulas:
         # KaTeX measures formulas with these fonts. If they arrived late, lines would change their length.
         letters = re.compile(r"KaTeX_(Main-Regular|Math-Italic|Size1-Regular)\..*woff2")
@@ -53,12 +54,12 @@ def html(*, has_formulas: bool) -> bytes:
         "components/projector.css": "not all",
     }
     sheets = [name for name in sorted(modules.contents()) if name.endswith(".css")]
-    links = [f'<link rel="stylesheet" href="{place}/{name}" media="{media.get(name, "all")}">' for name in sheets]
-    scripts = [f'<script type="module" async src="{place}/{name}.js"></script>' for name in _FIRST]
+    links = [f'<link rel="stylesheet" href="{folder}/{name}" media="{media.get(name, "all")}">' for name in sheets]
+    scripts = [f'<script type="module" async src="{folder}/{name}.js"></script>' for name in _FIRST_MODULES]
 
     page = (_STREAMLIT / "index.html").read_bytes()
     page = page.replace(b'<html lang="en"', f'<html lang="{LANGUAGE}"'.encode(), 1)
-    # Before Streamlit's own scripts, which read the address.
+    # frame.js runs before Streamlit's own scripts, which read the address.
     page = page.replace(b"<head>", f"<head><script>{_FRAME.read_text(encoding='utf-8')}</script>".encode(), 1)
     page = _FONT.sub("".join(preloads).encode(), page, count=1)
     # Append them to the body: Streamlit adds its rules to the head, and the later of two equal rules applies.

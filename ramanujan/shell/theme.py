@@ -33,20 +33,24 @@ def colors() -> dict[str, str]:
 
 
 @cache
-def _colors(shown: str) -> dict[str, str]:
-    # A call of `st.get_option` takes 0.1 ms, and a page reads all options several times in a run.
-    # A test in another folder has no theme.
+def _colors(theme: str) -> dict[str, str]:
+    # Cached, because a call of `st.get_option` takes 0.1 ms and a page reads all options several times in a run.
+    # A test that runs in another folder finds no .streamlit/config.toml.
     fallback = {"paper": "rgba(0,0,0,0)", "faint": "rgba(128,128,128,0.3)"}
     bodies = {
-        use: st.get_option(f"theme.{shown}.{option}") or fallback.get(use, _GRAY) for use, option in _OPTIONS.items()
+        use: st.get_option(f"theme.{theme}.{option}") or fallback.get(use, _GRAY) for use, option in _OPTIONS.items()
     }
-    methods = st.get_option(f"theme.{shown}.chartCategoricalColors") or [_GRAY] * len(METHODS)
+    methods = st.get_option(f"theme.{theme}.chartCategoricalColors") or [_GRAY] * len(METHODS)
     return bodies | {f"method_{n}": color for n, color in enumerate(methods)}
 
 
 @cache
-def on_paper() -> dict[str, str]:
-    """Return the colours of drawings for paper. Each body has one that is light enough for letters."""
+def paper_colors() -> dict[str, str]:
+    """Return body → its colour in drawings for paper, which is light enough for letters on it."""
     light = _colors("light")
     white = (255, 255, 255)
-    return {body: label_rgb(find_intermediate_color(hex_to_rgb(light[body]), white, 0.56)) for body in BODY_COLORS}
+    colors = {}
+    for body in BODY_COLORS:
+        mixed = find_intermediate_color(hex_to_rgb(light[body]), white, 0.56)
+        colors[body] = label_rgb(mixed)
+    return colors

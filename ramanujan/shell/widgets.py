@@ -11,70 +11,91 @@ from ramanujan.shell.address import Choice, Count
 from ramanujan.shell.parameters import LONGEST, Parameter
 from ramanujan.translation import _
 
-Words = Mapping[Any, str]
-"""Option → its label, for parameters whose options have no labels."""
+Labels = Mapping[Any, str]
+"""Labels of options: option → label. They are only passed for a parameter that does not define labels itself."""
 
 
-def segmented_control(key: Choice, label: str, words: Words | None = None, **more: Any) -> Any:
+def segmented_control(parameter: Choice, label: str, labels: Labels | None = None, **more: Any) -> Any:
     """Draw the options in a row. Exactly one of them is selected."""
-    return _choice(st.segmented_control, key, label, words, default=key.default, required=True, **more)
+    return _choice(st.segmented_control, parameter, label, labels, default=parameter.default, required=True, **more)
 
 
-def pills(key: Choice, label: str, words: Words | None = None, **more: Any) -> Any:
+def pills(parameter: Choice, label: str, labels: Labels | None = None, **more: Any) -> Any:
     """Draw the options in a row. At most one of them is selected."""
-    return _choice(st.pills, key, label, words, **more)
+    return _choice(st.pills, parameter, label, labels, **more)
 
 
-def selectbox(key: Choice, label: str, words: Words | None = None, **more: Any) -> Any:
+def selectbox(parameter: Choice, label: str, labels: Labels | None = None, **more: Any) -> Any:
     """Draw the options as a menu."""
-    return _choice(st.selectbox, key, label, words, index=list(key.options).index(key.default), **more)
+    return _choice(
+        st.selectbox, parameter, label, labels, index=list(parameter.options).index(parameter.default), **more
+    )
 
 
-def select_slider(key: Choice, label: str, words: Words | None = None, **more: Any) -> Any:
+def select_slider(parameter: Choice, label: str, labels: Labels | None = None, **more: Any) -> Any:
     """Draw the options as the marks of a slider."""
-    return _choice(st.select_slider, key, label, words, value=key.default, **more)
+    return _choice(st.select_slider, parameter, label, labels, value=parameter.default, **more)
 
 
-def _choice(draw: Callable[..., object], key: Choice, label: str, words: Words | None, **more: Any) -> Any:
-    words = words or _labels(key)
+def _choice(draw: Callable[..., object], parameter: Choice, label: str, labels: Labels | None, **more: Any) -> Any:
+    labels = labels or _labels(parameter)
     # A page that remained open may send an option that no longer exists.
-    options = {"options": list(key.options), "format_func": lambda option: words.get(option, str(option))}
-    draw(label, **options, key=key.name, persist_state="session", **more)
-    return address.keep(key)
+    options = {"options": list(parameter.options), "format_func": lambda option: labels.get(option, str(option))}
+    draw(label, **options, key=parameter.name, persist_state="session", **more)
+    return address.update(parameter)
 
 
-def _labels(key: Choice) -> Words:
-    """Return option → label, without content if the options have no labels."""
-    return key.options if isinstance(key.options, Mapping) else {}
+def _labels(parameter: Choice) -> Labels:
+    """Return option → label; an empty mapping if the parameter defines no labels."""
+    return parameter.options if isinstance(parameter.options, Mapping) else {}
 
 
-def beside(
+def draw_in_columns(
     widths: int | Sequence[float],
-    *draw: Callable[[], Any],
+    *draw_functions: Callable[[], Any],
     alignment: Literal["top", "center", "bottom"] = "top",
 ) -> list[Any]:
-    """Draw widgets in columns, or below each other in a single column, and return their values."""
+    """Draw a widget in each column, or all widgets in a single column; return their values.
+
+    Parameters
+    ----------
+    widths : widths of the columns, or their number
+    draw_functions : functions that draw a widget each and return its value
+    alignment : vertical alignment of the columns
+    """
     columns = st.columns(widths, vertical_alignment=alignment)
+    if len(columns) == 1:
+        columns *= len(draw_functions)
     values = []
-    for column, each in zip(columns if len(columns) > 1 else columns * len(draw), draw, strict=True):
+    for column, draw in zip(columns, draw_functions, strict=True):
         with column:
-            values.append(each())
+            values.append(draw())
     return values
 
 
-def count(key: Count, label: str, *, step: int = 1, width: int | Literal["stretch"] = "stretch") -> int:
+def count(parameter: Count, label: str, *, step: int = 1, width: int | Literal["stretch"] = "stretch") -> int:
     """Draw a box for a whole number, with its range. Streamlit's own box shows the range only after it is left."""
-    label = _("{label} ({least}\u00a0to\u00a0{most})").format(label=label, least=key.least, most=key.most)
-    st.number_input(label, key.least, key.most, key.default, step, key=key.name, persist_state="session", width=width)
-    return address.keep(key)
+    label = _("{label} ({least}\u00a0to\u00a0{most})").format(label=label, least=parameter.least, most=parameter.most)
+    st.number_input(
+        label,
+        parameter.least,
+        parameter.most,
+        parameter.default,
+        step,
+        key=parameter.name,
+        persist_state="session",
+        width=width,
+    )
+    return address.update(parameter)
 
 
 def table(rows: Sequence[Sequence[str]], key: str) -> None:
     """Draw a table that scrolls separately on a narrow page. Cells are Markdown; the first row names the columns."""
     head, *others = rows
-    lines = (" | ".join(row) for row in (head, ["---"] * len(head), *others))
+    rule = ["---"] * len(head)
+    lines = [f"| {' | '.join(row)} |" for row in (head, rule, *others)]
     with st.container(key=f"table_{key}"):
-        st.markdown("\n".join(f"| {line} |" for line in lines))
+        st.markdown("\n".join(lines))
 
 
 def equations(key: str, wide: str, narrow: str) -> None:
@@ -90,16 +111,16 @@ def equations(key: str, wide: str, narrow: str) -> None:
 
 
 def download(label: str, content: str, name: str, mime: str, **more: Any) -> None:
-    """Offer a file that is written before the click.
+    """Draw a download button. The content of the file is computed before the click.
 
-    Streamlit deletes a file that is written at a click after two more runs of any session. In a class, a slow browser
-    would not have loaded it by then.
+    Streamlit can also compute it at the click, but deletes it after two more runs of any session. In a class, a slow
+    browser would not have loaded it by then.
     """
     st.download_button(label, content, name, mime, on_click="ignore", **more)
 
 
-def plain(text: str) -> str:
-    """Return a text that Markdown shows unchanged."""
+def escape(text: str) -> str:
+    """Escape a text, so that Markdown shows it unchanged."""
     return "".join(f"\\{character}" if character in string.punctuation else character for character in text)
 
 
@@ -115,7 +136,10 @@ def hints(name: str, sentences: Sequence[str], last: str = "") -> bool:
     shown = hints_shown(name)
     for sentence in sentences[:shown]:
         st.markdown(f":material/lightbulb: {sentence}")
-    labels = [*(_("Hint ({n} left)").format(n=n) for n in range(len(sentences), 0, -1)), *([last] if last else [])]
+    # The nth label is that of the button for the nth hint.
+    labels = [_("Hint ({n} left)").format(n=left) for left in range(len(sentences), 0, -1)]
+    if last:
+        labels.append(last)
     if shown < len(labels):
         one_more = {f"hints_shown_{name}": shown + 1}
         st.button(labels[shown], key=f"hint_{name}", on_click=st.session_state.update, args=(one_more,))
@@ -127,20 +151,22 @@ def hints_shown(name: str) -> int:
     return st.session_state.get(f"hints_shown_{name}", 0)
 
 
-def tabs(key: Choice) -> dict[str, Any]:
+def tabs(parameter: Choice) -> dict[str, Any]:
     """Draw tabs and return them by the ids of their options. Only the open tab needs content."""
-    words = _labels(key)
-    widget, ids = f"{key.name}_tabs", {label: option for option, label in words.items()}
+    # Streamlit identifies a tab only by its label, the app by the id of its option.
+    labels = _labels(parameter)
+    ids = {label: option for option, label in labels.items()}
+    widget = f"{parameter.name}_tabs"
 
-    def chosen() -> None:
-        st.session_state[key.name] = ids.get(st.session_state[widget], key.default)
+    def store_option() -> None:
+        st.session_state[parameter.name] = ids.get(st.session_state[widget], parameter.default)
 
-    # Streamlit identifies a tab only by its label.
-    if st.session_state.get(widget, words[key.default]) != words[address.current(key)]:
-        st.session_state[widget] = words[address.current(key)]
-    drawn = st.tabs(list(words.values()), key=widget, on_change=chosen)
-    address.keep(key)
-    return dict(zip(words, drawn, strict=True))
+    current_label = labels[address.current(parameter)]
+    if st.session_state.get(widget, labels[parameter.default]) != current_label:
+        st.session_state[widget] = current_label
+    tabs = st.tabs(list(labels.values()), key=widget, on_change=store_option)
+    address.update(parameter)
+    return dict(zip(labels, tabs, strict=True))
 
 
 def slider(parameter: Parameter, **more: Any) -> float:
@@ -162,11 +188,13 @@ def slider(parameter: Parameter, **more: Any) -> float:
 def page_slider(parameter: Parameter) -> float:
     """Draw a slider of the current page only, and return its value in SI units."""
     value = slider(parameter)
-    return (value if parameter.least <= value <= parameter.most else parameter.default) * parameter.scale
+    if not parameter.least <= value <= parameter.most:
+        value = parameter.default
+    return value * parameter.scale
 
 
-def head(parameter: Parameter) -> dict[str, Any]:
-    """Return the head of a slider: its names, and the settings of its box."""
+def box_settings(parameter: Parameter) -> dict[str, Any]:
+    """Return the names of a parameter and the settings of the box above its slider, for `components.exact`."""
     return {
         "symbol": parameter.symbol,
         "unit": parameter.unit,

@@ -56,5 +56,5 @@ def read_name(text: str) -> str | None:
 
 def fits(parameter: address.Text, worksheet: str) -> bool:
     """Return whether the value of a URL parameter is the key of the worksheet with this name."""
-    key = address.keep(parameter)
+    key = address.update(parameter)
     return bool(key) and name(key) == worksheet

@@ -126,14 +126,14 @@ def _parameter(parameter: Parameter) -> dict[str, Any]:
     """Return the range of a parameter, the heading of its box, and the message about an invalid address."""
     names = ("symbol", "unit", "least", "most", "default", "step", "scale", "label")
     attributes = {name: getattr(parameter, name) for name in names}
-    head = widgets.head(parameter) | {"key": parameter.name} if parameter.name in _SLIDERS else None
+    head = widgets.box_settings(parameter) | {"key": parameter.name} if parameter.name in _SLIDERS else None
     return {"key": parameter.name, **attributes, "head": head, "ignored": parameter.message()}
 
 
 def _form(parameter: URLParameter) -> str:
     """Return the regular expression of the valid texts of a parameter of the stage."""
     if isinstance(parameter, address.Text):
-        return parameter.form
+        return parameter.pattern
     assert isinstance(parameter, address.Choice)
     option = f"({'|'.join(map(re.escape, parameter.options))})"
     return f"{option}(,{option})*" if isinstance(parameter, address.Several) else option

@@ -23,7 +23,7 @@ from ramanujan.derivation.rows import Dress, Row, on_a_phone, row, rows
 from ramanujan.lesson.picture import machine_tikz
 from ramanujan.shell import theme
 from ramanujan.shell.cache import responsive, route
-from ramanujan.shell.formulas import ROOM, beside_the_machine
+from ramanujan.shell.formulas import ROOM, typeset_beside_machine
 
 _CUBE = sp.Integer(3)
 """The power of a side in a volume."""
@@ -49,7 +49,7 @@ def step(
     symbolic = route(name, equal_masses).steps[number]
     adapted = symbolic.for_numbers(numbers)
     shown = rows(symbolic, numbers, partial(_row, numbers=numbers, inks=dict(inks)))
-    return adapted.heading, adapted.reason, beside_the_machine(shown, math.inf if wide else ROOM), on_a_phone(shown)
+    return adapted.heading, adapted.reason, typeset_beside_machine(shown, math.inf if wide else ROOM), on_a_phone(shown)
 
 
 def all_routes() -> list[Route]:
@@ -91,7 +91,7 @@ def spectrum(numbers: Numbers | None) -> tuple[list[str], str]:
     name = dict(zip(COORDINATES, MOMENTA, strict=True))
     momenta = [row(equation(name[q], p), numbers) for q, p in conserved_momenta().items()]
     shapes = [row(equation("v", shape), numbers).latex for shape in (all_modes.mode_shape, *all_modes.zero_modes)]
-    return shapes, beside_the_machine(momenta)
+    return shapes, typeset_beside_machine(momenta)
 
 
 @st.cache_data(show_spinner=False, max_entries=64)
@@ -111,7 +111,7 @@ def document(
     chosen_route = route(name, equal_masses and kind != "notebook")
     if drawn and kind in ("slides", "step"):
         radius, compression = drawn
-        picture = machine_tikz(Oscillator(radius=radius), compression, theme.on_paper())
+        picture = machine_tikz(Oscillator(radius=radius), compression, theme.paper_colors())
         return to_beamer(chosen_route, numbers, picture, step)
     write = {"latex": to_latex, "markdown": to_markdown, "notebook": to_notebook}[kind]
     return write(chosen_route, numbers)

@@ -152,7 +152,7 @@ def turn_pages(setting: Setting) -> None:
 
     A turned page reruns only this fragment. The last step is about the machine in step, so the stage shows it.
     """
-    address.keep(STEP)
+    address.update(STEP)
     machine = sidebar.oscillator()
     if setting.is_lecture:
         keys = [step.key for step in setting.steps]
@@ -171,7 +171,7 @@ def draw_steps(setting: Setting) -> None:
     if address.current(STEP) > steps:
         messages.warn(address.Count(STEP.name, steps).message())
         select_first_step()
-    address.keep(STEP)
+    address.update(STEP)
     if not setting.is_lecture:
         for number in range(1, steps + 1):
             draw_step(setting, number)
@@ -220,7 +220,7 @@ def draw_equations(step: str, wide: str, narrow: str, questions: tuple[str, ...]
             else st.selectbox(_("Which one?"), questions, format_func=title, key=key)
         )
         judge_typed(name, route)
-        draw_question(name, with_step=False, place=route)
+        draw_question(name, with_step=False, route=route)
         if not is_solved(name):
             return
     widgets.equations(step, wide, narrow)

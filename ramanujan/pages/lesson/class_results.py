@@ -179,7 +179,7 @@ def seats_sentence(seats: Seats) -> str:
 
 def warn_of_local_address() -> None:
     """Draw a warning if students' phones cannot open the address of this page."""
-    if address.is_for_this_computer_alone():
+    if address.is_only_for_this_computer():
         st.warning(
             _(
                 "Phones cannot open the address of this page, because it means this computer only. Start the app "

@@ -80,7 +80,7 @@ def draw_phone(show: Callable[..., None]) -> None:
             with above if running else below:
                 show(stop, running, fixed=True)
         with suppress(ClassError):
-            expires, is_storing = shared().expires(seat.code), not class_session.forgets_seat()
+            expires, is_storing = shared().expires(seat.code), not class_session.has_no_storage()
             st.caption(class_results.storage_sentence(expires, is_browser_storing=is_storing))
         st.stop()
 
@@ -147,7 +147,7 @@ def draw_desk(stop: Stop, phase: Phase) -> None:
     _desk(stop, phase)
 
 
-@st.fragment(run_every=class_session.FOLLOWED_EVERY)
+@st.fragment(run_every=class_session.VIEW_INTERVAL)
 def _follow_stage(code: str) -> None:
     """Mirror the view of another desk of this class."""
     class_session.follow(code)
@@ -409,7 +409,7 @@ def _draw_seat() -> None:
 
 def _offer_own_tab(code: str) -> None:
     """Offer a separate tab if this page is in a frame where it cannot recognize its browser after a reload."""
-    if class_session.forgets_seat():
+    if class_session.has_no_storage():
         st.warning(
             _(
                 "Your browser stores nothing for a page inside another site. Your answer counts once, but after a "

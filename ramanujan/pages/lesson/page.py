@@ -35,7 +35,7 @@ def show() -> None:
     else:
         draw_parts()
     # These include the parameters of parts that are hidden now.
-    address.keep(*URL_PARAMETERS)
+    address.update(*URL_PARAMETERS)
 
 
 def draw_parts() -> None:

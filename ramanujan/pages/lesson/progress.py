@@ -31,7 +31,7 @@ class Predictions(address.URLParameter):
     name: str
     default: Mapping[str, tuple[str, str]] = field(default_factory=dict)
     example: str = "radius.same~block.rest"
-    refused = _("The value of {name} in the address was ignored: it must list predictions, such as {example}.")
+    template = _("The value of {name} in the address was ignored: it must list predictions, such as {example}.")
 
     def read(self, text: str) -> dict[str, tuple[str, str]]:
         """Return the predictions. Raise `ValueError` for an invalid text."""

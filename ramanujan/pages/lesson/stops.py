@@ -197,7 +197,7 @@ def draw_options(stop: Stop) -> None:
                     on_click=partial(set_prediction, stop, option, progress.PREDICTED),
                     width="stretch",
                 )
-    widgets.hints(stop.id, [widgets.plain(hint) for hint in stop.hints])
+    widgets.hints(stop.id, [widgets.escape(hint) for hint in stop.hints])
 
 
 def draw_verdict(stop: Stop, chosen: str, phase: str) -> None:

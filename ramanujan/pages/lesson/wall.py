@@ -82,7 +82,7 @@ def _draw_question(code: str, stop: Stop, question: ClassQuestion) -> None:
         stops.draw_observation(stop, running=is_running, fixed=True)
 
 
-@st.fragment(run_every=class_session.FOLLOWED_EVERY)
+@st.fragment(run_every=class_session.VIEW_INTERVAL)
 def _follow_class(code: str) -> None:
     """Draw the numbers that change often. Rerun the page when the class moves on or ends, and once more later."""
     try:

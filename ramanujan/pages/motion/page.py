@@ -46,7 +46,9 @@ def show() -> None:
             scene = st.container(key="without_dials")
         with words:
             sliders = [partial(widgets.page_slider, each) for each in (GLIDE, SPIN, MU)]
-            glide, spin, mu = widgets.beside(1 if display_mode.is_projector() else 3, *sliders, alignment="bottom")
+            glide, spin, mu = widgets.draw_in_columns(
+                1 if display_mode.is_projector() else 3, *sliders, alignment="bottom"
+            )
         setting = (machine, compression, glide, spin)
         motion = cache.record(*setting)
         largest = largest_compression(machine, mu, spacing=motion.spacing)

@@ -117,7 +117,7 @@ def draw_opening() -> None:
 
 def draw_story_button() -> None:
     """Draw the button of the story, which ends at the one mass ratio at which both hands turn together."""
-    components.story(story.data(marked=address.keep(MARK) == "on"))
+    components.story(story.data(marked=address.update(MARK) == "on"))
 
 
 def draw_lesson_link() -> None:
@@ -229,7 +229,7 @@ def draw_slides(steps: list[cache.SummaryStep]) -> None:
     """Draw each way to a result on a slide of the projector view, next to the machine with its symbols."""
     from ramanujan.lesson.picture import machine_svg  # Imported late: the first page of a visitor does not need it.
 
-    machine = machine_svg(sidebar.oscillator(), sidebar.compression(), theme.on_paper())
+    machine = machine_svg(sidebar.oscillator(), sidebar.compression(), theme.paper_colors())
     for n, step in enumerate(steps, start=1):
         for place, way in enumerate(step.ways):
             title = f"{n}{'abc'[place] if step.ways[1:] else ''}. {way.heading}"

@@ -53,7 +53,7 @@ def draw() -> None:
     with picture:
         with st.container(key="observed_race"):
             draw_machine()
-        if address.keep(TRIES):
+        if address.update(TRIES):
             # The machine runs already while all methods are computed for the first time.
             cache.races()
             tried, steps = _last_run()

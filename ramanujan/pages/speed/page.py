@@ -56,7 +56,7 @@ def draw_error_growth(method: str, steps: int) -> int:
     st.header(_("How the errors grow"), anchor=False)
     words, place = columns("errors")
     with words:
-        compared, periods, precision = widgets.beside(
+        compared, periods, precision = widgets.draw_in_columns(
             [1.2, 1.2, 1] if display_mode.is_projector() else 1,
             partial(widgets.segmented_control, COMPARED, _("Show")),
             partial(widgets.select_slider, PERIODS, _("Number of periods")),

@@ -13,12 +13,12 @@ from ramanujan.numerals import filled, in_latex
 from ramanujan.pages.taxicab import cache
 from ramanujan.shell import address, display_mode, drawings, sidebar, stages, theme, widgets
 from ramanujan.shell.display_mode import slide
-from ramanujan.shell.sections.bodies import PAPER, PLACE_WORDS
+from ramanujan.shell.sections.bodies import PAPER_BODIES, PLACE_WORDS
 from ramanujan.translation import _, ngettext
 
 WORDS = {"hoop": _("hoop"), "shell": _("shell"), "cylinder": _("cylinder"), "sphere": _("sphere")}
 """Body → its name."""
-URL_PARAMETERS = tuple(address.Choice(place, WORDS, body) for place, body in PAPER.items())
+URL_PARAMETERS = tuple(address.Choice(place, WORDS, body) for place, body in PAPER_BODIES.items())
 STAGE = "stage_bodies"
 FOLLOWERS = ("bodies_machine", "bodies_numbers")
 """Keys of the fragments that depend on the machine of the sidebar."""
@@ -84,7 +84,9 @@ def describe_machine(story: cache.Story) -> None:
         st.markdown(_describe_field(machine))
     with st.container(horizontal=True):
         st.button(_("Set this mass ratio"), key="own_ratio", on_click=sidebar.take_ratio, args=(story.ratio,))
-        st.button(_("Back to the paper’s bodies"), key="paper_bodies", on_click=st.session_state.update, args=(PAPER,))
+        st.button(
+            _("Back to the paper’s bodies"), key="paper_bodies", on_click=st.session_state.update, args=(PAPER_BODIES,)
+        )
 
 
 @st.fragment(key="bodies_numbers")
@@ -173,13 +175,13 @@ def draw_all_machines(chosen: BodyChoice) -> None:
 def select_clicked_machine(point: dict[str, float]) -> None:
     """Choose the bodies of the clicked machine."""
     for machine in cache.machines()[len(BODIES) * int(point["y"]) + int(point["x"]) :][:1]:
-        st.session_state.update(zip(PAPER, machine.bodies, strict=True))
+        st.session_state.update(zip(PAPER_BODIES, machine.bodies, strict=True))
 
 
 def machine_name(machine: BodyChoice) -> str:
     """Return the names of the bodies."""
     return _("Lower rollers: {left} and {right}; on\u00a0top: {top}").format(
-        **{place: WORDS[body] for place, body in zip(PAPER, machine.bodies, strict=True)}
+        **{place: WORDS[body] for place, body in zip(PAPER_BODIES, machine.bodies, strict=True)}
     )
 
 

@@ -95,7 +95,7 @@ def draw_options() -> tuple[str, str, int]:
             st.caption(
                 _("The address of this page contains the key. Save it for yourself: *Copy link* leaves the key out.")
             )
-    return paper, address.keep(SEED), level
+    return paper, address.update(SEED), level
 
 
 def draw_name_box() -> None:
@@ -132,7 +132,7 @@ def draw_head(machine: Oscillator, paper: str, seed: str, calculations: list[int
     values = ", ".join(each.equation(each.value) for each in PARAMETERS.values())
     with picture, st.container(key="worksheet_picture"):
         drawings.draw(
-            machine_svg(machine, sidebar.compression(), theme.on_paper()),
+            machine_svg(machine, sidebar.compression(), theme.paper_colors()),
             alt=_("The machine, drawn to scale: block, hoop, lower cylinder, slab, spring and top cylinder."),
             style=f"width:{'100%' if is_projector() else '35rem'};max-width:100%",
         )

@@ -1,8 +1,9 @@
-"""The names for a choice of the three rolling bodies, on page 4 and in tasks."""
+"""The three places of rolling bodies, on the page 1729 and in tasks."""
 
 from ramanujan.number_theory import BodyChoice
 from ramanujan.translation import _
 
-PAPER = dict(zip(("left", "right", "top"), BodyChoice().bodies, strict=True))
-"""Position → the paper's body."""
+PAPER_BODIES = dict(zip(("left", "right", "top"), BodyChoice().bodies, strict=True))
+"""Place → the body of the paper's machine."""
 PLACE_WORDS = {"left": _("Left roller"), "right": _("Right roller"), "top": _("Body on top")}
+"""Place → its label."""

@@ -1,4 +1,4 @@
-"""An exercise by link: chosen questions and tasks, one at a time, and at the end a worksheet to print or save.
+"""An exercise by link: questions and tasks that the lecturer chose, one at a time, and at the end a worksheet.
 
 The lecturer composes the link on the page Worksheet. The link for students contains the name of the exercise, and the
 lecturer's link also contains its key (`shell/worksheet_keys.py`).
@@ -28,24 +28,32 @@ FILE = "exercise.md"
 
 def draw_exercise(items: tuple[str, ...]) -> None:
     """Draw the current item of an exercise, or the worksheet after the last item."""
-    headings, with_key = [*map(title, items), END], worksheet_keys.fits(KEY, address.current(WORKSHEET))
+    headings = [*map(title, items), END]
+    has_key = worksheet_keys.fits(KEY, address.current(WORKSHEET))
     now = min(address.current(ITEM), len(headings))
     with st.container(key="lesson_head"):
         place = _("Part {now} of {count}: {heading}")
         components.turn(headings, now, lambda to: st.session_state.update({ITEM.name: to}), place=place)
     if now > len(items):
         draw_worksheet(items)
-    elif (name := items[now - 1]) in QUESTIONS:
-        with slide("question", title(name)):
-            st.title(title(name), anchor=False)
-            questions.judge_typed(name)
-            questions.draw_question(name, with_step=with_key)
-            if with_key:
-                st.latex(questions.step_to_answer(name))
+        return
+    item = items[now - 1]
+    if item in QUESTIONS:
+        draw_question(item, has_key)
     else:
-        judged = tasks.draw_task(lesson.task(name))
-        if judged.done:
-            questions.store_answer(name, judged.sentence, is_right=True)
+        verdict = tasks.draw_task(lesson.task(item))
+        if verdict.done:
+            questions.store_answer(item, verdict.sentence, is_right=True)
+
+
+def draw_question(name: str, has_key: bool) -> None:
+    """Draw a question of an exercise. Only the author, who has the key, sees the step to the answer."""
+    with slide("question", title(name)):
+        st.title(title(name), anchor=False)
+        questions.judge_typed(name)
+        questions.draw_question(name, with_step=has_key)
+        if has_key:
+            st.latex(questions.step_to_answer(name))
 
 
 def title(item: str) -> str:
@@ -55,11 +63,11 @@ def title(item: str) -> str:
 
 def draw_worksheet(items: tuple[str, ...]) -> None:
     """Draw the worksheet, and offer it as a file."""
-    written = worksheet_text(items)
+    text = worksheet_text(items)
     with slide("question", END):
-        st.markdown(written)
+        st.markdown(text)
         with st.container(horizontal=True, vertical_alignment="center", key="worksheet_choices"):
-            widgets.download(_("Save this worksheet"), written, FILE, "text/markdown")
+            widgets.download(_("Save this worksheet"), text, FILE, "text/markdown")
             st.caption(
                 _("Or print this page with Ctrl+P or Cmd+P. Your answers are kept until you close or reload it.")
             )
@@ -69,22 +77,33 @@ def worksheet_text(items: tuple[str, ...]) -> str:
     """Return the worksheet as Markdown: each item with its answer, the time of the first right one, and used hints."""
     lines = ["# " + _("Ramanujan’s oscillator: exercise"), _("Name: {line} Date: {line}").format(line="\\_" * 16), ""]
     for number, item in enumerate(items, start=1):
-        is_question = item in QUESTIONS
-        text = question(item).prompt() if is_question else lesson.task(item).text
-        given = questions.answer_to(item)
+        text = question(item).prompt() if item in QUESTIONS else lesson.task(item).text
         lines.append(f"{number}. **{title(item)}.** {text}")
-        if given is None:
-            lines.append("   - " + (_("Not answered.") if is_question else _("Not done yet.")))
-        else:
-            # Between these marks Markdown interprets nothing.
-            answer = f"`` {' '.join(given.answer.split()).replace('`', '')} ``" if is_question else given.answer
-            lines.append("   - " + _("Answer: {answer}").format(answer=answer))
-            right = _("Right since {time}.") if given.right_since else _("Not right yet.")
-            time = f"{given.right_since:%Y-%m-%d %H:%M %Z}" if given.right_since else ""
-            lines.append("   - " + right.format(time=time))
-        if hints := widgets.hints_shown(item if is_question else f"task_{item}"):
-            lines.append("   - " + _("Hints used: {n}").format(n=hints))
+        lines += [f"   - {result}" for result in results_of(item)]
     return "\n".join(lines) + "\n"
+
+
+def results_of(item: str) -> list[str]:
+    """Return lines of Markdown about the answer to an item, the time of the first right one, and the used hints."""
+    is_question = item in QUESTIONS
+    answer = questions.answer_to(item)
+    hints = widgets.hints_shown(item if is_question else f"task_{item}")
+    lines = []
+    if answer is None:
+        lines.append(_("Not answered.") if is_question else _("Not done yet."))
+    else:
+        text = answer.answer
+        if is_question:
+            # Between these marks Markdown interprets nothing.
+            text = f"`` {' '.join(text.split()).replace('`', '')} ``"
+        lines.append(_("Answer: {answer}").format(answer=text))
+        if answer.right_since:
+            lines.append(_("Right since {time}.").format(time=f"{answer.right_since:%Y-%m-%d %H:%M %Z}"))
+        else:
+            lines.append(_("Not right yet."))
+    if hints:
+        lines.append(_("Hints used: {n}").format(n=hints))
+    return lines
 
 
 def draw_composer() -> None:
@@ -103,6 +122,7 @@ def draw_composer() -> None:
         )
         if not chosen:
             return
+        # The link also contains the sliders of the lecturer's machine that differ from their defaults.
         machine = {each.name: f"{each.value:g}" for each in PARAMETERS.values() if each.value != each.default}
         key = st.session_state.setdefault("composed_key", worksheet_keys.new())
         query = {**machine, EXERCISE.name: EXERCISE.write(tuple(chosen)), WORKSHEET.name: worksheet_keys.name(key)}

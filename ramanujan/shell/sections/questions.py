@@ -1,4 +1,4 @@
-"""A question with a box for a typed formula, hints and a verdict, on page 2 and in exercises."""
+"""A question with a box for a typed formula, hints and a verdict, on the page Derivation and in exercises."""
 
 from dataclasses import dataclass
 from datetime import datetime
@@ -12,7 +12,7 @@ from ramanujan.browser import stage
 from ramanujan.derivation.rows import row
 from ramanujan.shell import address, local_time, sidebar, stages, widgets
 from ramanujan.shell.cache import responsive
-from ramanujan.shell.formulas import beside_the_machine
+from ramanujan.shell.formulas import typeset_beside_machine
 from ramanujan.translation import _
 
 QUESTION = address.Choice("question", tuple(QUESTIONS), next(iter(QUESTIONS)))
@@ -22,15 +22,16 @@ VERDICTS = {
     "wrong": (st.warning, ":material/lightbulb:"),
     "unreadable": (st.error, ":material/help:"),
 }
+"""Kind of a verdict → the function that draws it, and its icon."""
 _LONGEST = 1000
 """Largest length of a stored answer."""
 _ANSWERS = "answers_given"
-"""Session state: question or task → its `Given`."""
+"""Session state: question or task → its `GivenAnswer`."""
 
 
 @dataclass(frozen=True)
 class GivenAnswer:
-    """The last answer, or the first right one with its time."""
+    """A stored answer to a question or task: the last answer, or the first right one with its time."""
 
     answer: str
     right_since: datetime | None
@@ -56,35 +57,49 @@ def title(name: str) -> str:
 
 def is_solved(name: str) -> bool:
     """Return whether a question has a right answer."""
-    return bool((answer := answer_to(name)) and answer.right_since)
+    answer = answer_to(name)
+    return answer is not None and answer.right_since is not None
 
 
-def judge_typed(name: str, place: str = "") -> None:
-    """Judge a typed answer to a question, and store it."""
-    if text := st.session_state.get(f"answer_{place}{name}"):
-        store_answer(name, text, verdict_on(name, text).kind == "right")
+def judge_typed(name: str, route: str = "") -> None:
+    """Judge the answer in the box of a question, if there is one, and store it.
+
+    Parameters
+    ----------
+    name : name of the question
+    route : route of the derivation that asks the question at its step; empty for a question without a route
+    """
+    text = st.session_state.get(f"answer_{route}{name}")
+    if text:
+        verdict = verdict_on(name, text)
+        store_answer(name, text, is_right=verdict.kind == "right")
 
 
 def store_answer(name: str, answer: str, is_right: bool) -> None:
     """Store an answer for the session. The first right answer is not replaced."""
-    before = answer_to(name)
-    if before is None or not before.right_since:
-        now = datetime.now(local_time.time_zone()) if is_right else None
-        st.session_state.setdefault(_ANSWERS, {})[name] = GivenAnswer(answer[:_LONGEST], now)
+    if is_solved(name):
+        return
+    right_since = datetime.now(local_time.time_zone()) if is_right else None
+    answers = st.session_state.setdefault(_ANSWERS, {})
+    answers[name] = GivenAnswer(answer[:_LONGEST], right_since)
 
 
 def answer_to(name: str) -> GivenAnswer | None:
-    """Return the answer to a question or task."""
+    """Return the stored answer to a question or task, or None."""
     return st.session_state.get(_ANSWERS, {}).get(name)
 
 
-def draw_question(name: str, with_step: bool = True, place: str = "") -> None:
-    """Draw one question with hints. The last hint, if available, shows the step.
+def draw_question(name: str, with_step: bool = True, route: str = "") -> None:
+    """Draw a question next to the machine with its coordinates.
 
-    If no other `place` is given, the machine with its coordinates is next to the question.
+    Parameters
+    ----------
+    name : name of the question
+    with_step : whether the last hint shows the step to the answer
+    route : route of the derivation that asks the question at its step. Such a question has no machine and no hints.
     """
-    if place:
-        draw_box(name, with_step, place)
+    if route:
+        draw_box(name, with_step, route)
         return
     with st.container(key="asked"):
         words, picture = st.columns(2)
@@ -102,35 +117,41 @@ def publish_machine() -> None:
     stages.publish(stage.payload(sidebar.oscillator(), sidebar.compression()), key="stage_asked")
 
 
-def draw_box(name: str, with_step: bool, place: str = "") -> None:
-    """Draw a question with its box and verdict. Draw its hints only if `place` is empty."""
+def draw_box(name: str, with_step: bool, route: str = "") -> None:
+    """Draw the text of a question, its box, the verdict and the hints. The arguments are those of `draw_question`."""
     shown = question(name)
+    is_equation = shown.kind == EQUATION
     st.markdown(shown.prompt())
-    names = " ".join(f"`{each}`" for each in (*shown.accepted, "sqrt( )"))
+    names = " ".join(f"`{letter}`" for letter in (*shown.accepted, "sqrt( )"))
     st.markdown(_(":small[You may use numbers and] {names}").format(names=names))
-    with st.form(f"form_{place}{name}", border=False):
+    with st.form(f"form_{route}{name}", border=False):
         text = st.text_input(
-            _("Your equation") if shown.kind == EQUATION else _("Your formula"),
-            key=f"answer_{place}{name}",
+            _("Your equation") if is_equation else _("Your formula"),
+            key=f"answer_{route}{name}",
             placeholder=_("For example {formula}").format(formula=shown.example),
         )
         st.form_submit_button(_("Check"), type="primary")
     if text:
-        verdict, read = verdict_on(name, text), as_parsed(text, shown.kind == EQUATION)
-        box, icon = VERDICTS[verdict.kind]
-        if read:
-            st.latex(read)
-        box(widgets.plain(verdict.message), icon=icon)
-    if not place and widgets.hints(name, shown.hints, _("Show me this step") if with_step else ""):
+        draw_verdict(verdict_on(name, text), as_parsed(text, is_equation))
+    if not route and widgets.hints(name, shown.hints, _("Show me this step") if with_step else ""):
         st.latex(step_to_answer(name))
+    # Derive the right answer now, so that the first verdict does not take long.
     with st.spinner(_("Deriving the answer …"), show_time=False):
         verdict_on(name, "1")
+
+
+def draw_verdict(verdict: Verdict, formula: str | None) -> None:
+    """Draw the typed formula as LaTeX, unless it is unreadable, and the verdict."""
+    if formula:
+        st.latex(formula)
+    draw, icon = VERDICTS[verdict.kind]
+    draw(widgets.escape(verdict.message), icon=icon)
 
 
 @st.cache_data(show_spinner=False)
 def step_to_answer(name: str) -> str:
     """Return the step that leads to the answer of a question, as one block of LaTeX."""
-    return beside_the_machine([row(each) for each in shown_step(name)])
+    return typeset_beside_machine([row(each) for each in shown_step(name)])
 
 
 @st.cache_data(show_spinner=False, max_entries=512)
@@ -142,7 +163,7 @@ def verdict_on(name: str, text: str) -> Verdict:
 
 @st.cache_data(show_spinner=False, max_entries=512)
 def as_parsed(text: str, is_equation: bool = False) -> str | None:
-    """Return a formula as LaTeX as the parser understands it, or None if it is invalid."""
+    """Return a typed formula as LaTeX, as the parser understands it; None if the parser cannot read it."""
     try:
         return typeset(text, is_equation=is_equation)
     except UnreadableError:

@@ -25,21 +25,22 @@ METHOD = address.Choice("task_method", {name: method.title for name, method in M
 STEPS = address.Count("task_steps", STEPS_PER_PERIOD[-1], 100, STEPS_PER_PERIOD[0])
 PERIODS = address.Count("task_periods", 100, 10)
 WORDS = {body: BODY_WORDS[body] for body in BODIES}
-PLACES = [address.Choice(f"task_{place}", WORDS, body) for place, body in bodies.PAPER.items()]
+PLACES = [address.Choice(f"task_{place}", WORDS, body) for place, body in bodies.PAPER_BODIES.items()]
+"""The parameters of the three bodies, from left to top."""
 URL_PARAMETERS = (RELEASE, GLIDE, SPIN, METHOD, STEPS, PERIODS, *PLACES)
 _EXAMPLE = _("For example {entry}")
 
 
 def draw_task(task: Task) -> TaskVerdict:
-    """Draw a task, and return its progress."""
+    """Draw a task, and return the verdict on the current settings."""
     with slide("task", task.heading):
-        place = st.container(key="beside" if task.stage else None)
+        container = st.container(key="beside" if task.stage else None)
         if task.stage and is_projector():
             picture, words = picture_and_words()
         elif task.stage:
-            words, picture = place.columns(2, gap="medium")
+            words, picture = container.columns(2, gap="medium")
         else:
-            words = picture = place
+            words = picture = container
         with words, st.container(key="posed"):
             st.title(task.heading, anchor=False)
             st.markdown(task.text)
@@ -54,53 +55,64 @@ def draw_task(task: Task) -> TaskVerdict:
         # In the projector view there is room below a machine without clocks.
         with picture if is_projector() and task.fields else words:
             with st.container(key="task_verdict"):
-                judged = draw_verdict(task, attempt)
-            widgets.hints(f"task_{task.id}", [widgets.plain(hint) for hint in task.hints])
-    return judged
+                verdict = draw_verdict(task, attempt)
+            widgets.hints(f"task_{task.id}", [widgets.escape(hint) for hint in task.hints])
+    return verdict
 
 
 def draw_verdict(task: Task, attempt: Attempt) -> TaskVerdict:
-    """State whether the task is complete, and the distance to the goal."""
-    judged = task.judge(attempt)
-    if not judged.is_judged:
-        st.markdown(f":small[{widgets.plain(judged.sentence)}]")
-        return judged
+    """Draw whether the task is complete, and the distance to the goal; return the verdict."""
+    verdict = task.judge(attempt)
+    sentence = widgets.escape(verdict.sentence)
+    if not verdict.is_judged:
+        st.markdown(f":small[{sentence}]")
+        return verdict
     done, not_yet = _("Done."), _("Not yet.")
-    heading = (
-        f":green[:material/check_circle: **{done}**]" if judged.done else f":orange[:material/flag: **{not_yet}**]"
-    )
-    st.container(border=True).markdown(f"{heading} {widgets.plain(judged.sentence)}")
-    return judged
+    if verdict.done:
+        heading = f":green[:material/check_circle: **{done}**]"
+    else:
+        heading = f":orange[:material/flag: **{not_yet}**]"
+    st.container(border=True).markdown(f"{heading} {sentence}")
+    return verdict
 
 
 def draw_machine(task: Task, attempt: Attempt) -> None:
-    """Draw the machine with its settings."""
-    shown = {"key": f"stage_task_{task.id}", "narrow": True, "hide": task.hides, "compact": "formula" in task.fields}
-    shown["layers"] = ("coordinates",) if shown["compact"] else ()
+    """Draw the machine of a task as the visitor has set it."""
+    has_formula = "formula" in task.fields
+    options = {
+        "key": f"stage_task_{task.id}",
+        "narrow": True,
+        "hide": task.hides,
+        "compact": has_formula,
+        "layers": ("coordinates",) if has_formula else (),
+    }
     with st.container(key="observed_part"):
         if "release" not in task.fields:
-            stages.mount(stage.payload(attempt.machine, attempt.compression), **shown)
+            stages.mount(stage.payload(attempt.machine, attempt.compression), **options)
             return
-        # The initial motion of this machine has its own controls, so the slab cannot be dragged.
+        # The initial motion of this machine has its own controls. Equal limits of x₀ fix the slab.
         initial = with_initial_velocities(attempt.machine, attempt.release, attempt.glide, attempt.spin)
+        _least, most = RELEASE.limits
         stages.mount(
             stage.payload(attempt.machine, attempt.release, initial=initial),
-            limits=(RELEASE.limits[1],) * 2,
+            limits=(most, most),
             watch={key: each for key, each in WATCH.items() if key != "compression"},
-            **shown,
+            **options,
         )
 
 
 def _bodies() -> tuple[str, ...]:
+    """Draw a menu for the body at each place, and return the three bodies."""
     labels = bodies.PLACE_WORDS.values()
-    return tuple(widgets.beside(3, *(partial(widgets.selectbox, *each) for each in zip(PLACES, labels, strict=True))))
+    menus = [partial(widgets.selectbox, place, label) for place, label in zip(PLACES, labels, strict=True)]
+    return tuple(widgets.draw_in_columns(3, *menus))
 
 
 def _part() -> float | None:
     """Draw the box for a fraction of a period, and return its number; None for an ambiguous number."""
     text = st.text_input(_("Part of a period"), key="task_part", placeholder=_EXAMPLE.format(entry="1/3"))
     if refusal := explain_ambiguous_number(text):
-        st.markdown(f":small[{widgets.plain(refusal)}]")
+        st.markdown(f":small[{widgets.escape(refusal)}]")
         return None
     return read_number(text)
 
