@@ -243,13 +243,13 @@ def in_latex(decimal: str) -> str:
     return decimal.replace(".", _DECIMAL_IN_LATEX)
 
 
-def percent(share: float, digits: int = 2) -> str:
-    """Return a share of the whole in percent.
+def percent(share: float) -> str:
+    """Return a share of the whole in percent, to two digits.
 
     >>> percent(0.25)
     '25\\u202f%'
     """
-    return quantity(100 * share, "%", digits)
+    return quantity(100 * share, "%", 2)
 
 
 def filled(template: str, **values: object) -> str:

@@ -116,22 +116,18 @@ def seconds_per_reduction(oscillator: Oscillator) -> float:
     return measure(partial(reduced_phase, turns_per_second(oscillator), oscillator.period)).median
 
 
-def arithmetics(epsilon: float = UNIT_MASS_RATIO) -> dict[str | int, float]:
-    """Return the duration of one evaluation of Ω²m/k in several kinds of arithmetic.
-
-    Parameters
-    ----------
-    epsilon : ε; exact arithmetic uses the exact value of this float
+def arithmetics() -> dict[str | int, float]:
+    """Return the duration of one evaluation of Ω²m/k at ε* in several kinds of arithmetic.
 
     Returns
     -------
     kind of arithmetic → seconds per value. The kinds are "float64", "array" (float64 arrays of ARRAY elements),
     "integers", "fraction", and for mpmath its number of digits.
 
-    >>> list(arithmetics(1.0))
+    >>> list(arithmetics())
     ['float64', 'array', 'integers', 'fraction', 15, 30, 50, 100]
     """
-    many = np.full(ARRAY, epsilon)
+    epsilon, many = UNIT_MASS_RATIO, np.full(ARRAY, UNIT_MASS_RATIO)
     cases: dict[str | int, Callable[[], object]] = {
         "float64": lambda: 1 / effective_mass_ratio(epsilon),
         "array": lambda: normalized_frequency_squared(many),

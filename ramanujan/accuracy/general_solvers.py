@@ -5,7 +5,7 @@ The sweep is over the mass ratio ε, for m = k = R = 1.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Iterator
+from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 
 import numpy as np
@@ -52,21 +52,17 @@ class EigenSweep:
         return np.any((self.zero_modes.real < 0) | (self.zero_modes.imag != 0), axis=1)
 
 
-def eigen_solvers(dtypes: Iterable[str] = tuple(DECADES)) -> list[EigenSweep]:
+def eigen_solvers() -> list[EigenSweep]:
     """Return the results of all eigenvalue solvers over the mass ratio.
-
-    Parameters
-    ----------
-    dtypes : "float32", "float64" or both
 
     Returns
     -------
     one `EigenSweep` for each dtype and solver, in this order
 
-    >>> len(eigen_solvers(["float32"])) == len(SOLVERS)
+    >>> len(eigen_solvers()) == len(DECADES) * len(SOLVERS)
     True
     """
-    return [sweep for dtype in dtypes for sweep in _eigen_sweeps(dtype)]
+    return [sweep for dtype in DECADES for sweep in _eigen_sweeps(dtype)]
 
 
 # Matrix that converts the displacements of block, slab and top cylinder relative to the ground, right positive, to

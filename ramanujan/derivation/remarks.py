@@ -12,7 +12,7 @@ import sympy as sp
 
 from ramanujan.derivation.elimination import Elimination, Phi_ddot, X_ddot, eliminate, phi_ddot
 from ramanujan.derivation.matrix import Modes, modes
-from ramanujan.derivation.model import COORDINATES, Machine, Omega_squared, X, equation, k, m, machine, phi, t
+from ramanujan.derivation.model import COORDINATES, Omega_squared, X, equation, k, m, machine, phi, t
 from ramanujan.derivation.printers import latex
 from ramanujan.numerals import in_latex
 from ramanujan.translation import _
@@ -37,13 +37,13 @@ class Remark:
     holds: bool
 
 
-def conserved_momenta(bodies: Machine | None = None) -> dict[sp.Expr, sp.Expr]:
+def conserved_momenta() -> dict[sp.Expr, sp.Expr]:
     """Return p_q = ∂ℒ/∂q̇ for each coordinate q that ℒ does not contain.
 
     A shift of this coordinate costs no energy: it is the direction of a zero-frequency mode. By Noether's theorem its
     momentum is conserved. Keys are X (the whole machine glides) and Φ (the top cylinder rolls freely).
     """
-    lagrangian = (bodies or machine()).lagrangian
+    lagrangian = machine().lagrangian
     return {q: lagrangian.diff(q.diff(t)) for q in COORDINATES if lagrangian.diff(q) == 0}
 
 

@@ -103,11 +103,11 @@ def legend(height: float = 1.02) -> dict[str, Any]:
     return {"showlegend": True, "legend": {"orientation": "h", "x": 0, "y": height, "yanchor": "bottom"}}
 
 
-def note(name: str, color: str | None, x: float, y: float, axis: str = "y") -> dict[str, Any]:
+def note(name: str, color: str | None, x: float, y: float) -> dict[str, Any]:
     """Return an annotation, by default in the figure's colour."""
     font = {"size": 13} | ({"color": color} if color else {})
     words = {"text": name, "font": font, "showarrow": False, "borderpad": 0}
-    return words | {"x": float(x), "y": float(y), "xref": "x", "yref": axis}
+    return words | {"x": float(x), "y": float(y), "xref": "x", "yref": "y"}
 
 
 def drawn(traces: Iterable[Mapping[str, Any]], layout: Mapping[str, Any]) -> Drawn:
