@@ -81,18 +81,20 @@ def check_arrival(phone: Phone) -> None:
         assert all(a["y"] + a["height"] <= b["y"] + 1 for a, b in pairwise(boxes))
         assert boxes[-1]["y"] + boxes[-1]["height"] <= phone.page.viewport_size["height"]
 
-    for height, width in SIZES:
+    for height, width in reversed(SIZES):
         phone.page.set_viewport_size({"width": width, "height": height})
         phone.swipe(phone.box(THUMB), 30, 2, meanwhile=check_visible)
-        phone.page.emulate_media(reduced_motion="no-preference")
-        story.tap()
-        for sentence in ("Heavy rollers", "Lighter rollers"):
-            expect(phone.page.locator(".st-key-story .sentence")).to_contain_text(sentence)
-            check_visible()
-        story.tap()
-        expect(story).to_have_text("Bring them into step")
-        phone.page.emulate_media(reduced_motion="reduce")
-        settle(phone.page)
+    # During the story on the small phone
+    phone.page.emulate_media(reduced_motion="no-preference")
+    story.tap()
+    for sentence in ("Heavy rollers", "Lighter rollers"):
+        expect(phone.page.locator(".st-key-story .sentence")).to_contain_text(sentence)
+        check_visible()
+    story.tap()
+    expect(story).to_have_text("Bring them into step")
+    phone.page.emulate_media(reduced_motion="reduce")
+    phone.page.set_viewport_size({"width": 390, "height": 844})
+    settle(phone.page)
 
 
 def check_drawer(phone: Phone) -> None:

@@ -281,9 +281,9 @@ def test_bars_and_swatches_keep_their_colours(picture):
           return [bar.dataset.body, colour(bar), colour(entry, "::before"), entry.textContent];
         })""")
         assert len(painted) == len(BODY_COLORS)
-        for name, bar, swatch, said in painted:
+        for name, bar, swatch, label in painted:
             assert bar == swatch == "rgb({}, {}, {})".format(*rgb(THEME["light"][f"{BODY_COLORS[name]}Color"])), name
-            assert name in said
+            assert name in label
 
 
 @ANY_ENGINE
@@ -299,11 +299,11 @@ def test_in_step_is_shown_if_and_only_if_it_is_true(picture):
         lit = f"{STAGE}.querySelector('.face').getAnimations().every(each => each.playState === 'finished')"
         picture.page.wait_for_function(lit)
         seen[expected] = picture.find("getComputedStyle(root.querySelector('.face')).fill")
-        said = picture.find("root.querySelector('.parting').textContent")
+        sentence = picture.find("root.querySelector('.parting').textContent")
         if expected == "in-step":
-            assert "after a million periods the hands are less than 0.01 turns apart" in said
+            assert "after a million periods the hands are less than 0.01 turns apart" in sentence
         else:
-            periods = read(re.search(f"[Aa]fter {NUMBER} plain-mass periods", said)[1])
+            periods = read(re.search(f"[Aa]fter {NUMBER} plain-mass periods", sentence)[1])
             assert periods == pytest.approx(1 / abs(off), rel=0.05)
     assert seen["in-step"] != seen["apart"]
 

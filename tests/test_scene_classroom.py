@@ -256,8 +256,8 @@ def test_a_bad_code_gets_one_sentence_and_is_not_repeated(text):
     app = visitor()
     app.text_input(key="class_code").set_value(text)
     app.button(key="FormSubmitter:class_join-Join").click().run()
-    [said] = [warning.value for warning in app.warning]
-    assert re.fullmatch(r"(A class code has six letters|There is no class with this code)[^<>*]*", said)
+    [warning] = [each.value for each in app.warning]
+    assert re.fullmatch(r"(A class code has six letters|There is no class with this code)[^<>*]*", warning)
     assert STOP.question in words(app)
 
 
@@ -270,8 +270,8 @@ def test_a_bad_code_gets_one_sentence_and_is_not_repeated(text):
 )
 def test_a_link_to_a_missing_class_gets_one_sentence(link, start):
     app = visitor(**link)
-    [said] = [warning.value for warning in app.warning]
-    assert said.startswith(start)
+    [warning] = [each.value for each in app.warning]
+    assert warning.startswith(start)
     assert STOP.question in words(app)
 
 

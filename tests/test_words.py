@@ -106,13 +106,13 @@ def test_no_line_breaks_before_a_hungarian_suffix():
     """A line may end after an ordinary hyphen, but not after U+2011."""
     for broken in ("26 %-a", "m′-t", "X-től", "CSV-ként", "R-szerese", "{off}-ával", "1-gyel"):
         assert BREAKING.search(broken.format(off="2")), broken
-    found = []
+    broken_lines = []
     for message in translated("hu"):
         for text in strings(message) if message.id else ():
             # A suffix may follow a formula or a slot. A minus sign in a formula is not a hyphen.
             prose = re.sub(r"\{[^}]*\}", "x", _FORMULA.sub("x", text))
-            found += [text for _each in BREAKING.finditer(prose)]
-    assert found == []
+            broken_lines += [text for _each in BREAKING.finditer(prose)]
+    assert broken_lines == []
 
 
 QUOTED = re.compile(r"[“„]([^“„”]+)[”“]")
@@ -129,7 +129,7 @@ def test_a_quoted_label_is_the_label_of_the_page(language):
             if label in catalogue:
                 checked += 1
                 own = strings(catalogue[label])[0]
-                assert all(own in QUOTED.findall(said) for said in strings(message)), (label, own, strings(message))
+                assert all(own in QUOTED.findall(each) for each in strings(message)), (label, own)
     assert checked
 
 
@@ -265,7 +265,7 @@ EXACT = {"most", "least", "bound", "within", "tolerance", "cost", "periods", "mu
 
 def bounds() -> list[tuple[str, str, str]]:
     """Return every bound in a message with its slot and the format of the slot."""
-    return [(found[0], found[2], found[3] or "") for text in every_text() for found in BOUND.finditer(text)]
+    return [(match[0], match[2], match[3] or "") for text in every_text() for match in BOUND.finditer(text)]
 
 
 def test_every_bound_is_rounded_to_its_own_side():
