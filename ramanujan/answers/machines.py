@@ -4,9 +4,10 @@ A mistake changes the mass, inertia, velocity or angle of one body or of a group
 altered machine are solved exactly, for any mass ratio.
 """
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import cache
+from types import MappingProxyType
 from typing import Any
 
 import sympy as sp
@@ -258,7 +259,7 @@ def _gradient(path: sp.Expr) -> tuple[sp.Expr, ...]:
     return tuple(sp.diff(path, q) for q in COORDINATES)
 
 
-def _solve_motion(name: str, bodies: Machine, factors: dict[tuple[int, int], int]) -> sp.Expr | None:
+def solve(name: str, bodies: Machine, factors: Mapping[tuple[int, int], int] = MappingProxyType({})) -> sp.Expr | None:
     """Return the answer to a question from the equations of motion M a = −∂U/∂q, None without a solution.
 
     The only force is −∂U/∂φ = −stiffness·φ. So the accelerations are in the ratio of the column φ of M⁻¹, and Ω² is the
@@ -316,13 +317,3 @@ def positive_root(condition: sp.Poly) -> sp.Expr | None:
     """Return the positive root of a quadratic, None unless exactly one root is positive."""
     a, b, c = condition.all_coeffs()
     return (sp.sqrt(b**2 - 4 * a * c) / abs(a) - b / a) / 2 if a * c < 0 else None
-
-
-def solve(name: str, bodies: Machine) -> sp.Expr | None:
-    """Return the answer to a question about the elimination for a machine, None without a solution."""
-    return _solve_motion(name, bodies, {})
-
-
-def solve_with_slip(name: str, row: int, column: int, factor: int) -> sp.Expr | None:
-    """Return the answer to a question after one entry of the mass matrix is multiplied by a factor."""
-    return _solve_motion(name, right_machine(), {(row, column): factor})

@@ -5,6 +5,7 @@ of one question have the same result, so a result determines the slip. Mistakes 
 """
 
 from collections.abc import Iterator
+from functools import partial
 from typing import NamedTuple
 
 import sympy as sp
@@ -313,12 +314,12 @@ def _of_masses(right: sp.Expr) -> Slips:
 
 def procedures(name: str) -> Slips:
     """Yield the slips in the elimination; each multiplies one entry of the mass matrix by a factor."""
+    solve = partial(machines.solve, name, machines.right_machine())
     # The rows and columns 0, 1 and 2 belong to X, φ and Φ.
-    yield _slip("no_top_in_block_equation", "2(m+m')R/(3m+2m')", machines.solve_with_slip(name, 0, 2, 0))
-    yield _slip("block_stands_still", "8k/(8m+7m')", machines.solve_with_slip(name, 1, 0, 0))
+    yield _slip("no_top_in_block_equation", "2(m+m')R/(3m+2m')", solve({(0, 2): 0}))
+    yield _slip("block_stands_still", "8k/(8m+7m')", solve({(1, 0): 0}))
     for letter, row in (("Φ", 2), ("X", 1)):
-        result = machines.solve_with_slip(name, row, 0, -1)
-        yield _slip("wrong_sign_inserted", "6R(m+m')/(11m+6m')", result, q=letter)
+        yield _slip("wrong_sign_inserted", "6R(m+m')/(11m+6m')", solve({(row, 0): -1}), q=letter)
 
 
 # The mass ratio
