@@ -40,11 +40,16 @@ class Part:
     word: str
 
 
+_MARKS = 8
+"""Number of symbols on a curve with many points. They distinguish the methods without their colours."""
+
+
 class _Line(NamedTuple):
-    """A curve in a panel of `error_growth`: its points, and the width, dash and opacity of its line."""
+    """A curve in a panel of `error_growth`: its points, the symbol on some of them, and the look of its line."""
 
     name: str
     color: str
+    symbol: str
     periods: np.ndarray
     errors: np.ndarray
     width: float
@@ -70,10 +75,10 @@ def error_growth(
     colors : the theme's
     """
     hover = _AFTER.format(periods="%{x}", error="%{customdata}") + _NAMED
-    tones = {name: look_of(number, colors)[0] for number, name in enumerate(names)}
+    looks = {name: look_of(number, colors) for number, name in enumerate(names)}
     # Draw the chosen method last, above the others.
     ordered = sorted(curves, key=lambda name: name == chosen)
-    closed = _Line(_("closed form"), colors["ink"], exact[0], exact[1], width=2, dash="dash")
+    closed = _Line(_("closed form"), colors["ink"], "star", exact[0], exact[1], width=2, dash="dash")
     ends = np.log10(
         [exact[0][0], exact[0][-1], *(end for reach, *_errors in curves.values() for end in reach[[0, -1]])]
     )
@@ -87,7 +92,7 @@ def error_growth(
         lines = []
         for name in ordered:
             width, opacity = (4, 1.0) if name == chosen else (2, 0.8)
-            lines.append(_Line(name, tones[name], curves[name][0], curves[name][kind], width, opacity))
+            lines.append(_Line(name, *looks[name], curves[name][0], curves[name][kind], width, opacity))
         if name_of_axis == "y2":
             lines.append(closed)
         drawn_axis, scale, low = logarithmic.axis_with_room(title, [curve.errors for curve in lines], most)
@@ -97,6 +102,8 @@ def error_growth(
                 "legendgroup": curve.name,
                 "showlegend": name_of_axis == "y2",
                 "yaxis": name_of_axis,
+                "mode": "lines+markers",
+                "marker": {"symbol": curve.symbol, "size": 8, "maxdisplayed": _MARKS},
                 "opacity": curve.opacity,
                 "hovertemplate": hover,
             }
