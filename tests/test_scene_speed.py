@@ -29,7 +29,7 @@ from ramanujan.numerals import duration, number, power_of_ten, unbroken
 from ramanujan.pages.speed import cache, costs, downsampling, verdicts
 from ramanujan.shell import theme
 from ramanujan.shell.cache import responsive
-from ramanujan.shell.widgets import plain
+from ramanujan.shell.widgets import escape
 
 PAGE = "ramanujan/pages/speed/page.py"
 
@@ -195,7 +195,7 @@ def test_the_challenge_shows_the_methods_after_a_try_and_judges_as_the_lesson_do
         assert len(app.get("plotly_chart")) == drawn + 1
         verdict = lesson.task("cheapest").judge(lesson.Attempt(method="rk4", steps=steps))
         assert verdict.done == done
-        [text] = [text.value for text in app.markdown if plain(verdict.sentence) in text.value]
+        [text] = [text.value for text in app.markdown if escape(verdict.sentence) in text.value]
         assert ("Done." in text, "Not yet." in text) == (done, not done)
     assert app.query_params["tries"] == "rk4.13,rk4.14"
     figure = json.loads(next(each.proto.spec for each in app.get("plotly_chart") if "your run" in each.proto.spec))
