@@ -100,7 +100,10 @@ class Drawn(BaseFigure):
 
 def legend(height: float = 1.02) -> dict[str, Any]:
     """Return the layout of a legend in rows above the panels, at a height in fractions of the plotting area."""
-    return {"showlegend": True, "legend": {"orientation": "h", "x": 0, "y": height, "yanchor": "bottom"}}
+    return {
+        "showlegend": True,
+        "legend": {"orientation": "h", "x": 0, "y": height, "yanchor": "bottom", "tracegroupgap": 0},
+    }
 
 
 def note(name: str, color: str | None, x: float, y: float) -> dict[str, Any]:
@@ -165,7 +168,7 @@ def in_large_print(figure: BaseFigure) -> Drawn:
     is_above = any(note.get("yref") == "paper" and note["y"] == 1 for note in notes)
     names = {trace["name"] for trace in sent["data"] if trace.get("name") and trace.get("showlegend", True)}
     if "legend" in layout and len(names) > _ROW:
-        layout["legend"] = {"orientation": "v"}
+        layout["legend"] = {"orientation": "v", "tracegroupgap": 0}
     layout |= {"annotations": notes, "margin": {**layout.get("margin", {}), "t": _ABOVE[is_above]}}
     return Drawn({**sent, "layout": layout})
 
