@@ -240,7 +240,7 @@ def test_simultaneous_requests_share_one_computation_and_measurements_take_turns
 
 def test_a_strip_shows_where_its_form_is_right_and_its_other_results(app):
     app.run()
-    sweeps = [s for s in extremes() if (s.along, s.dtype) == ("scale", "float64")]
+    sweeps = [s for s in extremes() if (s.sweep_name, s.dtype) == ("scale", "float64")]
     strips = {FORMS[sweep.form].title: verdicts.strip(sweep) for sweep in sweeps}
     for sweep, parts in zip(sweeps, strips.values(), strict=True):
         # A strip covers the whole range without a gap, and agrees with the sweep at every sample.

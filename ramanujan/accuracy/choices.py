@@ -91,7 +91,8 @@ def closed_form(oscillator: Oscillator, periods: Sequence[int] = PERIODS) -> lis
     >>> [state.periods for state in closed_form(Oscillator(), [1, 1000])]
     [1, 1000]
     """
-    results, initial = [], InitialState(phi=1.0)
+    initial = InitialState(phi=1.0)
+    results = []
     for n in periods:
         times = oscillator.period * (n + np.arange(16) / 16)
         seconds = measure(partial(motion, oscillator, initial, float(times[0])))
@@ -140,7 +141,7 @@ def arithmetics() -> dict[str | int, float]:
 
 
 def caching(oscillator: Oscillator) -> dict[str, float]:
-    """Return how much faster a cached result is, and how much faster one call for many values is.
+    """Return the gain in speed by a cached result, and by one call for many values.
 
     Parameters
     ----------
@@ -154,15 +155,21 @@ def caching(oscillator: Oscillator) -> dict[str, float]:
     >>> list(caching(Oscillator()))
     ['frequency', 'state', 'states']
     """
-    initial, times = InitialState(phi=1.0), np.linspace(0, oscillator.period, STATES)
+    initial = InitialState(phi=1.0)
+    times = np.linspace(0, oscillator.period, STATES)
     # Each new machine has a spring that is softer by one part in 1e12, so nothing is cached for it.
     new_machines = (replace(oscillator, k=oscillator.k * (1 - number * 1e-12)) for number in count(1))
-    slow_and_fast = {
-        "frequency": (lambda: next(new_machines).natural_frequency, lambda: oscillator.natural_frequency),
-        "state": (lambda: motion(next(new_machines), initial, 1.0), lambda: motion(oscillator, initial, 1.0)),
-        "states": (lambda: [motion(oscillator, initial, t) for t in times], lambda: motion(oscillator, initial, times)),
+
+    def ratio(slow: Callable[[], object], fast: Callable[[], object]) -> float:
+        return measure(slow).median / measure(fast).median
+
+    return {
+        "frequency": ratio(lambda: next(new_machines).natural_frequency, lambda: oscillator.natural_frequency),
+        "state": ratio(lambda: motion(next(new_machines), initial, 1.0), lambda: motion(oscillator, initial, 1.0)),
+        "states": ratio(
+            lambda: [motion(oscillator, initial, t) for t in times], lambda: motion(oscillator, initial, times)
+        ),
     }
-    return {name: measure(slow).median / measure(fast).median for name, (slow, fast) in slow_and_fast.items()}
 
 
 def _frequency_curve(mass_ratios: np.ndarray) -> np.ndarray:
@@ -172,7 +179,7 @@ def _frequency_curve(mass_ratios: np.ndarray) -> np.ndarray:
 
 def _largest_distance(curve: Callable[[np.ndarray], np.ndarray], end: float, points: int) -> float:
     """Return the largest vertical distance between a curve on [0, end] and its chords [pixels]."""
-    # The height is that of a fine sampling: two points of a cosine would have equal values.
+    # A few points may miss the extremes of the curve, so its height is that of a fine sampling.
     height = np.ptp(curve(np.linspace(0, end, POINTS[-1])))
     x = np.linspace(0, end, points)
     y = curve(x)

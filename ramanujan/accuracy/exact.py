@@ -17,14 +17,14 @@ from ramanujan.accuracy.measurement import REFERENCE
 from ramanujan.oscillator import Oscillator
 from ramanujan.validation import FloatOrArray
 
-Number = TypeVar("Number", Fraction, float, NDArray[np.floating])
-"""The type of an argument in one of several kinds of arithmetic. The numbers of mpmath have no type annotations."""
+AnyNumber = TypeVar("AnyNumber", Fraction, float, NDArray[np.floating])
+"""The type of a number in exact or in floating-point arithmetic. The numbers of mpmath have no type annotations."""
 
 _SPLITTER = 2.0**27 + 1
 """Veltkamp's constant, which splits a float into two halves of 26 bits. Products of such halves are exact."""
 
 
-def frequency_squared(m: Number, m_prime: Number, k: Number) -> Number:
+def frequency_squared(m: AnyNumber, m_prime: AnyNumber, k: AnyNumber) -> AnyNumber:
     """Return Ω² = 8k(7m + 6m′)/(32m² + 49mm′ + 18m′²) in the arithmetic of the arguments.
 
     Parameters
@@ -141,6 +141,7 @@ def _product_error(a: float, b: FloatOrArray, rounded: FloatOrArray) -> FloatOrA
     The factors are split into halves by Veltkamp's method, and the products of the halves are added by Dekker's. No
     intermediate result may overflow or become subnormal.
     """
-    a_high, b_high = _SPLITTER * a - (_SPLITTER * a - a), _SPLITTER * b - (_SPLITTER * b - b)
+    a_high = _SPLITTER * a - (_SPLITTER * a - a)
+    b_high = _SPLITTER * b - (_SPLITTER * b - b)
     a_low, b_low = a - a_high, b - b_high
     return ((a_high * b_high - rounded) + a_high * b_low + a_low * b_high) + a_low * b_low

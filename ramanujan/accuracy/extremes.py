@@ -12,7 +12,7 @@ The reference value is computed with 50 digits from the same floats.
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import mpmath
 import numpy as np
@@ -45,7 +45,7 @@ DECADES = {"float32": 37, "float64": 300}
 MACHINES = 1000
 """Number of random machines, before those with m′/m, k/m or Ω² beyond the range of the sweeps are excluded."""
 
-SWEPT = ("ratio", "scale", "machines")
+SWEEP_NAMES = ("ratio", "scale", "machines")
 """Names of the sweeps."""
 
 Values = NDArray[np.floating]
@@ -77,7 +77,7 @@ class Sweep:
     ----------
     form : name in FORMS
     dtype : "float32" or "float64"
-    along : name of the sweep, one of SWEPT
+    sweep_name : one of SWEEP_NAMES
     x : ε, s, or the number of the machine
     value : computed Ω²
     error_ulp : |value − truth| in ulp of the truth; NaN or ∞ if the value is NaN or infinite
@@ -86,7 +86,7 @@ class Sweep:
 
     form: str
     dtype: str
-    along: str
+    sweep_name: str
     x: np.ndarray
     value: np.ndarray
     error_ulp: np.ndarray
@@ -100,10 +100,13 @@ class Sweep:
     @property
     def stretches(self) -> list[Stretch]:
         """The intervals of x with the same verdict, in ascending order."""
-        starts = np.flatnonzero(np.r_[True, self.verdict[1:] != self.verdict[:-1]])
-        ends = np.r_[starts[1:], self.x.size] - 1
-        columns = (self.verdict[starts], self.x[starts], self.x[ends])
-        return [Stretch(*row) for row in zip(*(column.tolist() for column in columns), strict=True)]
+        stretches: list[Stretch] = []
+        for x, verdict in zip(self.x.tolist(), self.verdict.tolist(), strict=True):
+            if stretches and stretches[-1].verdict == verdict:
+                stretches[-1] = replace(stretches[-1], last=x)
+            else:
+                stretches.append(Stretch(verdict, x, x))
+        return stretches
 
 
 def extremes() -> list[Sweep]:
@@ -117,10 +120,14 @@ def extremes() -> list[Sweep]:
     >>> [stretch.verdict for stretch in sweep.stretches]
     ['right', 'zero']
     """
-    return [sweep for along in SWEPT for dtype in DECADES for sweep in _evaluate_forms(along, dtype)]
+    sweeps: list[Sweep] = []
+    for sweep_name in SWEEP_NAMES:
+        for dtype in DECADES:
+            sweeps += _evaluate_forms(sweep_name, dtype)
+    return sweeps
 
 
-# The formulas are written in FORMS below.
+# FORMS contains the formula of each of the following functions.
 def _paper(m: Values, m_prime: Values, k: Values) -> Values:
     return 8 * k / (7 * m_prime + 8 * m - 8 * (m_prime + m) ** 2 / (7 * m / 3 + 2 * m_prime))
 
@@ -167,31 +174,37 @@ FORMS: dict[str, Form] = {
 """Name → formula for Ω². The app uses "effective_mass"."""
 
 
-def _evaluate_forms(along: str, dtype: str) -> Iterator[Sweep]:
+def _evaluate_forms(sweep_name: str, dtype: str) -> Iterator[Sweep]:
     """Yield one `Sweep` for each form."""
-    x, m, m_prime, k = _samples(along, dtype)
+    x, m, m_prime, k = _generate_samples(sweep_name, dtype)
     truth = list(map(exact_frequency_squared, m, m_prime, k))
     for name, form in FORMS.items():
         with np.errstate(all="ignore"):
             value = form.evaluate(m, m_prime, k)
         error_ulp, relative = ulp_errors(value, truth)
-        yield Sweep(name, dtype, along, x, value, error_ulp, _verdicts(value, error_ulp, relative))
+        yield Sweep(name, dtype, sweep_name, x, value, error_ulp, _judge(value, error_ulp, relative))
 
 
-def _samples(along: str, dtype: str) -> tuple[Values, Values, Values, Values]:
+def _generate_samples(sweep_name: str, dtype: str) -> tuple[Values, Values, Values, Values]:
     """Return the samples of a sweep: x, m, m′ and k."""
-    if along == "machines":
-        decades = DECADES[dtype]
-        exponents = np.random.default_rng(1729).uniform(-decades, decades, (3, MACHINES))
-        log_m, log_m_prime, log_k = exponents
-        # Ω² is of the order of k/max(m, m′).
-        is_within = np.abs(log_k - np.maximum(log_m, log_m_prime)) < decades - 1
-        is_within &= (np.abs(log_m_prime - log_m) < decades) & (np.abs(log_k - log_m) < decades)
-        m, m_prime, k = (10.0 ** exponents[:, is_within]).astype(dtype)
+    if sweep_name == "machines":
+        m, m_prime, k = _draw_machines(dtype)
         return np.arange(m.size, dtype=dtype), m, m_prime, k
     x = powers_of_ten(dtype, 3)
     one = np.ones_like(x)
-    return (x, one, x, one) if along == "ratio" else (x, x, x, x)
+    return (x, one, x, one) if sweep_name == "ratio" else (x, x, x, x)
+
+
+def _draw_machines(dtype: str) -> Values:
+    """Return random m, m′ and k, shape (3, machines), whose m′/m, k/m and Ω² are within the range of the sweeps."""
+    decades = DECADES[dtype]
+    exponents = np.random.default_rng(1729).uniform(-decades, decades, (3, MACHINES))
+    log_m, log_m_prime, log_k = exponents
+    # Ω² is of the order of k/max(m, m′).
+    is_within = np.abs(log_k - np.maximum(log_m, log_m_prime)) < decades - 1
+    is_within &= np.abs(log_m_prime - log_m) < decades
+    is_within &= np.abs(log_k - log_m) < decades
+    return (10.0 ** exponents[:, is_within]).astype(dtype)
 
 
 def powers_of_ten(dtype: str, density: int) -> np.ndarray:
@@ -205,25 +218,30 @@ def powers_of_ten(dtype: str, density: int) -> np.ndarray:
 
 
 def ulp_errors(value: np.ndarray, truth: list[mpmath.mpf]) -> tuple[np.ndarray, np.ndarray]:
-    """Return |value − truth| in ulp of the truth, and relative to the truth; both are NaN or ∞ for a value NaN or ±∞.
+    """Return the errors |value − truth| in ulp of the truth, and relative to the truth.
+
+    The errors of a value that is NaN or ±∞ are NaN or ∞.
 
     >>> ulp_errors(np.array([1 + 2.0**-51]), [REFERENCE.mpf(1)])[0]
     array([2.])
     """
-    ulps = np.spacing(np.array([float(t) for t in truth]).astype(value.dtype))
-    errors = [_errors(float(v), t, float(ulp)) for v, t, ulp in zip(value, truth, ulps, strict=True)]
-    return tuple(np.array(errors).T)
+    ulps = np.spacing(np.array([float(exact) for exact in truth]).astype(value.dtype))
+    samples = zip(value.tolist(), truth, ulps.tolist(), strict=True)
+    errors = np.array([_compute_errors(computed, exact, ulp) for computed, exact, ulp in samples])
+    return errors[:, 0], errors[:, 1]
 
 
-def _errors(value: float, truth: mpmath.mpf, ulp: float) -> tuple[float, float]:
-    """Return the error of one value in ulp and its relative error, divided with 50 digits: an ulp may be subnormal."""
+def _compute_errors(value: float, truth: mpmath.mpf, ulp: float) -> tuple[float, float]:
+    """Return the error of one value in ulp, and its relative error."""
     if not np.isfinite(value):
         return abs(value), abs(value)
+    # An ulp may be subnormal, so the quotients are computed with 50 digits.
     difference = abs(REFERENCE.mpf(value) - truth)
     return float(difference / ulp), float(difference / truth)
 
 
-def _verdicts(value: np.ndarray, error_ulp: np.ndarray, relative: np.ndarray) -> np.ndarray:
-    """Return the verdict on each sample, which belongs to the first condition that is true."""
+def _judge(value: np.ndarray, error_ulp: np.ndarray, relative: np.ndarray) -> np.ndarray:
+    """Return the verdict on each sample."""
+    # `np.select` chooses the verdict of the first true condition.
     conditions = [~np.isfinite(value), error_ulp <= RIGHT_ULP, value == 0, relative < PLAUSIBLE_ERROR]
     return np.select(conditions, [OVERFLOW, RIGHT, ZERO, INACCURATE], PLAUSIBLE)

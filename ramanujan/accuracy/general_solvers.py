@@ -47,9 +47,10 @@ class EigenSweep:
     zero_modes: np.ndarray
 
     @property
-    def without_frequency(self) -> np.ndarray:
-        """Whether an eigenvalue of a zero mode is negative or complex, so that Ω is not real; shape (samples,)."""
-        return np.any((self.zero_modes.real < 0) | (self.zero_modes.imag != 0), axis=1)
+    def lacks_real_frequency(self) -> np.ndarray:
+        """Whether Ω of a zero mode is not real, because Ω² is negative or complex; shape (samples,)."""
+        is_negative, is_complex = self.zero_modes.real < 0, self.zero_modes.imag != 0
+        return np.any(is_negative | is_complex, axis=1)
 
 
 def eigen_solvers() -> list[EigenSweep]:
@@ -62,7 +63,10 @@ def eigen_solvers() -> list[EigenSweep]:
     >>> len(eigen_solvers()) == len(DECADES) * len(SOLVERS)
     True
     """
-    return [sweep for dtype in DECADES for sweep in _eigen_sweeps(dtype)]
+    sweeps: list[EigenSweep] = []
+    for dtype in DECADES:
+        sweeps += _evaluate_solvers(dtype)
+    return sweeps
 
 
 # Matrix that converts the displacements of block, slab and top cylinder relative to the ground, right positive, to
@@ -75,9 +79,11 @@ def _eigvals(M: np.ndarray, K: np.ndarray) -> np.ndarray:
     return np.linalg.eigvals(np.linalg.solve(M, K))
 
 
-def _eigvals_over_ground(M: np.ndarray, K: np.ndarray) -> np.ndarray:
+def _eigvals_relative_to_ground(M: np.ndarray, K: np.ndarray) -> np.ndarray:
     """Return the eigenvalues of M⁻¹K for coordinates relative to the ground, in which K has two nonzero columns."""
-    return _eigvals(_Q_FROM_GROUND.T @ M @ _Q_FROM_GROUND, _Q_FROM_GROUND.T @ K @ _Q_FROM_GROUND)
+    M_ground = _Q_FROM_GROUND.T @ M @ _Q_FROM_GROUND
+    K_ground = _Q_FROM_GROUND.T @ K @ _Q_FROM_GROUND
+    return _eigvals(M_ground, K_ground)
 
 
 def _eigh_cholesky(M: np.ndarray, K: np.ndarray) -> np.ndarray:
@@ -89,7 +95,7 @@ def _eigh_cholesky(M: np.ndarray, K: np.ndarray) -> np.ndarray:
 
 SOLVERS: dict[str, Solver] = {
     "eigvals": Solver(_("eigvals of M⁻¹K"), _eigvals),
-    "eigvals_ground": Solver(_("eigvals of M⁻¹K, displacements relative to the ground"), _eigvals_over_ground),
+    "eigvals_ground": Solver(_("eigvals of M⁻¹K, displacements relative to the ground"), _eigvals_relative_to_ground),
     "eigh_cholesky": Solver(_("eigh after a Cholesky factorization"), _eigh_cholesky),
 }
 """Name → eigenvalue solver. The order of its eigenvalues is arbitrary.
@@ -99,21 +105,21 @@ solver shows that this depends on the coordinates.
 """
 
 
-def _eigen_sweeps(dtype: str) -> Iterator[EigenSweep]:
+def _evaluate_solvers(dtype: str) -> Iterator[EigenSweep]:
     """Yield one `EigenSweep` for each solver."""
     ratios = powers_of_ten(dtype, 1)
     truth = [exact_frequency_squared(1, ratio, 1) for ratio in ratios]
     machines = [Oscillator(m_prime=float(ratio), radius=1.0) for ratio in ratios]
     for name, solver in SOLVERS.items():
-        results = [_sorted_modes(solver.eigenvalues, machine, dtype) for machine in machines]
+        results = [_solve_modes(solver.eigenvalues, machine, dtype) for machine in machines]
         oscillating_modes = np.array([oscillating for oscillating, _zero in results], dtype)
         zero_modes = np.array([zero for _oscillating, zero in results], complex)
         errors_ulp, _relative_errors = ulp_errors(oscillating_modes, truth)
         yield EigenSweep(name, dtype, ratios, errors_ulp, zero_modes)
 
 
-def _sorted_modes(solver: Eigenvalues, machine: Oscillator, dtype: str) -> tuple[float, np.ndarray]:
-    """Return the largest eigenvalue, that of the oscillating mode, and the other two; NaN if the solver fails."""
+def _solve_modes(solver: Eigenvalues, machine: Oscillator, dtype: str) -> tuple[float, np.ndarray]:
+    """Return the eigenvalue of the oscillating mode, the largest one, and those of the zero modes; NaN on failure."""
     try:
         values = solver(machine.mass_matrix.astype(dtype), machine.stiffness_matrix.astype(dtype))
     except np.linalg.LinAlgError:

@@ -46,14 +46,16 @@ def measure(call: Callable[[], object]) -> Timing:
     """
     # Enlarge the batch until it is long enough.
     calls = 1
-    while (seconds := _seconds_of_batch(call, calls)) < _SHORTEST_BATCH:
+    seconds = _time_batch(call, calls)
+    while seconds < _SHORTEST_BATCH:
         calls = max(2 * calls, math.ceil(calls * _SHORTEST_BATCH / max(seconds, 1e-7)))
-    per_call = [_seconds_of_batch(call, calls) / calls for _repeat in range(_BATCHES)]
+        seconds = _time_batch(call, calls)
+    per_call = [_time_batch(call, calls) / calls for _repeat in range(_BATCHES)]
     low, median, high = (float(value) for value in np.percentile(per_call, [25, 50, 75]))
     return Timing(median, low, high)
 
 
-def _seconds_of_batch(call: Callable[[], object], calls: int) -> float:
+def _time_batch(call: Callable[[], object], calls: int) -> float:
     """Return the duration of a number of calls."""
     start = time.perf_counter()
     for _call in range(calls):

@@ -52,7 +52,7 @@ def phase_errors(oscillator: Oscillator) -> list[PhaseErrors]:
     >>> [errors.periods for errors in phase_errors(Oscillator())][:3]
     [1.0, 10.0, 100.0]
     """
-    return [_errors_after(oscillator, 10.0**decade) for decade in range(LARGEST_DECADE + 1)]
+    return [_compute_errors_after(oscillator, 10.0**decade) for decade in range(LARGEST_DECADE + 1)]
 
 
 def largest_phase_error(oscillator: Oscillator, times: NDArray[np.float64]) -> float:
@@ -84,7 +84,7 @@ def largest_phase_error(oscillator: Oscillator, times: NDArray[np.float64]) -> f
     return max(errors)
 
 
-def _errors_after(oscillator: Oscillator, periods: float) -> PhaseErrors:
+def _compute_errors_after(oscillator: Oscillator, periods: float) -> PhaseErrors:
     """Return the phase errors in the period that begins after a number of periods."""
     times = oscillator.period * (periods + np.arange(16) / 16)
     exact = _exact_phases(oscillator, times)

@@ -70,19 +70,23 @@ def error_history(method: str, steps_per_period: int, periods: int, dtype: str =
     800
     """
     n = steps_per_period
-    start, h = (np.ones(1, dtype), np.zeros(1, dtype)), np.array([2 * np.pi / n], dtype)
+    start = np.ones(1, dtype), np.zeros(1, dtype)
+    h = np.array([2 * np.pi / n], dtype)
+    steps = np.array([n * periods])
     with np.errstate(over="ignore", invalid="ignore"):
-        states = [q - 1j * v for _number, q, v in blocks(METHODS[method], start, h, np.array([n * periods]))]
-        s = np.concatenate([[1.0], *(block[:, 0] for block in states)])
+        states = [np.ones(1, complex)]
+        for _number, q, v in run_in_blocks(METHODS[method], start, h, steps):
+            states.append(q[:, 0] - 1j * v[:, 0])
+        s = np.concatenate(states)
         # Unwrap the error instead of the phase: it changes by less than half a turn per step, and it keeps its digits.
         # The remainder modulo n removes whole turns exactly.
         exact_phase = 2 * np.pi * (np.arange(s.size) % n) / n
         phase_error = np.unwrap(np.angle(s * np.exp(-1j * exact_phase)))
         energy_error = s.real**2 + s.imag**2 - 1
-    return History(method, dtype, s.real, phase_error, energy_error, int(evaluations_of(method, n * periods)))
+    return History(method, dtype, s.real, phase_error, energy_error, int(count_evaluations(method, n * periods)))
 
 
-def blocks(
+def run_in_blocks(
     method: Method, start: tuple[np.ndarray, np.ndarray], h: np.ndarray, steps: np.ndarray
 ) -> Iterator[tuple[np.ndarray, np.ndarray, np.ndarray]]:
     """Yield the states of several runs in blocks of consecutive steps, without the runs that have ended.
@@ -92,7 +96,7 @@ def blocks(
     Parameters
     ----------
     method : the integrator
-    start : (q, v), both of the shape (…, runs); their dtype is that of the computation
+    start : (q, v), both of the shape (…, runs), of the dtype of the computation
     h : time steps, of the shape (…, runs)
     steps : number of steps of the runs in each column, shape (runs,), in ascending order
 
@@ -102,31 +106,29 @@ def blocks(
     (rows, …, runs that have not ended)
 
     >>> start = np.ones(2), np.zeros(2)
-    >>> for number, q, v in blocks(METHODS["rk4"], start, np.full(2, 0.1), np.array([10, 20])):
+    >>> for number, q, v in run_in_blocks(METHODS["rk4"], start, np.full(2, 0.1), np.array([10, 20])):
     ...     print(number[-1], q.shape)
     10 (10, 2)
     20 (10, 1)
     """
-    arguments = map(_as_number, (*start, h)) if h.size == 1 else (*start, h)
+    # A single run is computed with numbers instead of arrays: the same bits, but much faster.
+    arguments = map(_convert_to_number, (*start, h)) if h.size == 1 else (*start, h)
     states = trajectory(method, lambda q: -q, *arguments)
     done = 0
     for ended_runs, last_step in enumerate(steps.tolist()):
         while done < last_step:
             rows = min(_BLOCK, last_step - done)
-            q, v = np.empty((2, rows, *h.shape[:-1], steps.size - ended_runs))
+            q, v = np.empty((2, rows, *h.shape))
             # An unstable run may overflow; this is a result.
             with np.errstate(over="ignore", invalid="ignore"):
                 for row, (q_row, v_row) in enumerate(islice(states, rows)):
-                    if isinstance(q_row, np.ndarray) and isinstance(v_row, np.ndarray):
-                        q[row], v[row] = q_row[..., ended_runs:], v_row[..., ended_runs:]
-                    else:
-                        q[row], v[row] = q_row, v_row
-            yield np.arange(done + 1, done + rows + 1), q, v
+                    q[row], v[row] = q_row, v_row
+            yield np.arange(done + 1, done + rows + 1), q[..., ended_runs:], v[..., ended_runs:]
             done += rows
 
 
-def _as_number(array: np.ndarray) -> float | np.floating:
-    """Convert an array with one element to a number. The results are the same bits, but are computed much faster."""
+def _convert_to_number(array: np.ndarray) -> float | np.floating:
+    """Convert an array with one element to a number of the same dtype."""
     return array.item() if array.dtype == float else array.ravel()[0]
 
 
@@ -145,29 +147,30 @@ def seconds_per_step(method: str, dtype: str = "float64") -> Timing:
     >>> seconds_per_step("rk4").median > 0
     True
     """
-    minus_omega_squared, q, v = np.dtype(dtype).type(-1), np.ones(1, dtype), np.zeros(1, dtype)
+    minus_omega_squared = np.dtype(dtype).type(-1)
+    q, v = np.ones(1, dtype), np.zeros(1, dtype)
     states = trajectory(METHODS[method], lambda q: minus_omega_squared * q, q, v, 2 * np.pi / 100)
     # Explicit Euler overflows during the measurement, which does not change its speed.
     with np.errstate(over="ignore", invalid="ignore"):
         return measure(lambda: next(states))
 
 
-def evaluations_of(method: str, steps: ArrayLike) -> NDArray[np.int64]:
+def count_evaluations(method: str, steps: ArrayLike) -> NDArray[np.int64]:
     """Return the number of evaluations of the acceleration in a number of steps.
 
     The evaluations in the first two steps are counted. Each step after the first may reuse the last acceleration of the
     step before, so all of them have the same number of evaluations.
 
-    >>> evaluations_of("velocity_verlet", [1, 2, 100])
+    >>> count_evaluations("velocity_verlet", [1, 2, 100])
     array([  2,   3, 101])
     """
-    first, second = _counted(method)
+    first, second = _count_first_steps(method)
     return first + (np.asarray(steps) - 1) * second
 
 
 @cache
-def _counted(method: str) -> tuple[int, int]:
-    """Return the number of evaluations in the first and in the second step."""
+def _count_first_steps(method: str) -> tuple[int, int]:
+    """Return the number of evaluations in the first step, and that in the second step."""
     calls = 0
 
     def acceleration(q: Runs) -> Runs:
@@ -175,8 +178,8 @@ def _counted(method: str) -> tuple[int, int]:
         calls += 1
         return -q
 
-    states, counted = trajectory(METHODS[method], acceleration, 1.0, 0.0, 0.1), []
-    for _step in range(2):
-        next(states)
-        counted.append(calls)
-    return counted[0], counted[1] - counted[0]
+    states = trajectory(METHODS[method], acceleration, 1.0, 0.0, 0.1)
+    next(states)
+    calls_of_first_step = calls
+    next(states)
+    return calls_of_first_step, calls - calls_of_first_step

@@ -11,14 +11,14 @@ from dataclasses import dataclass
 import numpy as np
 
 from ramanujan.accuracy.measurement import Timing
-from ramanujan.accuracy.runs import blocks, evaluations_of
+from ramanujan.accuracy.runs import count_evaluations, run_in_blocks
 from ramanujan.integrators import METHODS
 
 STEPS_PER_PERIOD = tuple(range(3, 193))
 """All numbers of steps per period that are computed. With fewer than 3, a step is half a turn or more."""
 
 SHOWN_STEPS: tuple[int, ...] = tuple(int(n) for n in np.rint(np.geomspace(6, 192, 12)))
-"""Those that a diagram or a table shows."""
+"""The numbers of steps per period that a diagram or a table shows."""
 
 DTYPES = ("float64", "float32")
 
@@ -61,7 +61,7 @@ class WorkPrecision:
 
 
 @dataclass(frozen=True)
-class Choice:
+class CheapestRun:
     """A run within a tolerance: its method, dtype, steps per period, largest error and cost."""
 
     method: str
@@ -109,17 +109,15 @@ def work_precision(
     else:
         steps, previous_periods = previous.steps_per_period, previous.periods
         error, start = previous.error.copy(), previous.ends
-    h = (2 * np.pi / steps).astype(dtype)
-    # Each machine rounds h and Ω², so the relative error of its hΩ is up to ¾ of the machine epsilon. Each run is
-    # computed with two time steps, shape (2, runs), that enclose this range.
-    h = np.stack([h - 2 * np.spacing(h), h + 2 * np.spacing(h)])
+    h = _enclose_time_steps(steps, dtype)
     ends = np.empty((2, *h.shape), dtype)
-    # The exact states e^{it} at the steps of one period, for all runs in one array.
+    # The exact states e^{it} at the steps of one period, one run after the other in one array.
     exact_states = np.concatenate([np.exp(2j * np.pi * np.arange(n) / n) for n in steps])
     first_state = np.cumsum(steps) - steps
-    for number, q, v in blocks(METHODS[method], start, h, steps * (periods - previous_periods)):
+    for number, q, v in run_in_blocks(METHODS[method], start, h, steps * (periods - previous_periods)):
         running = slice(steps.size - q.shape[-1], None)
-        exact = exact_states[first_state[running] + number[:, None] % steps[running]][:, None]
+        step_in_period = number[:, None] % steps[running]
+        exact = exact_states[first_state[running] + step_in_period][:, None]
         with np.errstate(over="ignore", invalid="ignore"):
             largest = _largest_error(q, v, exact, error_kind)
         error[running] = np.fmax(error[running], largest)
@@ -128,7 +126,17 @@ def work_precision(
     # An overflowed run is not within any tolerance. Its end is set to 0, so that `trajectory` can continue the others.
     has_overflowed = ~np.isfinite(ends).all(axis=(0, 1))
     error[has_overflowed], ends[..., has_overflowed] = np.inf, 0
-    return WorkPrecision(method, dtype, periods, steps, error, evaluations_of(method, steps * periods), tuple(ends))
+    return WorkPrecision(method, dtype, periods, steps, error, count_evaluations(method, steps * periods), tuple(ends))
+
+
+def _enclose_time_steps(steps: np.ndarray, dtype: str) -> np.ndarray:
+    """Return two time steps for each run, shape (2, runs), that enclose hΩ of all machines.
+
+    Each machine rounds h and Ω², so the relative error of its hΩ is up to ¾ of the machine epsilon.
+    """
+    h = (2 * np.pi / steps).astype(dtype)
+    margin = 2 * np.spacing(h)
+    return np.stack([h - margin, h + margin])
 
 
 def _largest_error(q: np.ndarray, v: np.ndarray, exact: np.ndarray, error_kind: str) -> np.ndarray:
@@ -141,11 +149,14 @@ def _largest_error(q: np.ndarray, v: np.ndarray, exact: np.ndarray, error_kind: 
     error_kind : as in `work_precision`
     """
     if error_kind == "phase":
-        return abs(np.angle((q - 1j * v) * exact.conj())).max(axis=(0, 1)) / (2 * np.pi)
-    return np.sqrt(((q - exact.real) ** 2 + (v + exact.imag) ** 2).max(axis=(0, 1)))
+        phase_errors = np.angle((q - 1j * v) * exact.conj())
+        return abs(phase_errors).max(axis=(0, 1)) / (2 * np.pi)
+    # A state is s = q − iv, so the exact q and v are the real part and minus the imaginary part of e^{it}.
+    squared_errors = (q - exact.real) ** 2 + (v + exact.imag) ** 2
+    return np.sqrt(squared_errors.max(axis=(0, 1)))
 
 
-def cheapest(curves: Iterable[WorkPrecision], tolerance: float, by: str = "evaluations") -> list[Choice]:
+def cheapest(curves: Iterable[WorkPrecision], tolerance: float, by: str = "evaluations") -> list[CheapestRun]:
     """Return the cheapest run of each method whose error does not exceed the tolerance, in order of cost.
 
     Parameters
@@ -168,7 +179,7 @@ def cheapest(curves: Iterable[WorkPrecision], tolerance: float, by: str = "evalu
         if runs_within.size == 0:
             continue
         run = runs_within[0]
-        choice = Choice(
+        choice = CheapestRun(
             method=curve.method,
             dtype=curve.dtype,
             steps_per_period=int(curve.steps_per_period[run]),

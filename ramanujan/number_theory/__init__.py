@@ -1,4 +1,4 @@
-"""The number theory behind 1729, exact: all arguments and results are integers, `Fraction`s or decimal text.
+"""The exact number theory behind 1729: all arguments and results are integers, `Fraction`s or decimal text.
 
     integers   factors, fields, sums of two cubes, x² + 3y², digits and continued fraction of a positive root
     bodies     rolling bodies → the quadratic for the mass ratio ε = m′/m at which Ω²m/k = w; the 40 machines

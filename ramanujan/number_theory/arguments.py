@@ -10,7 +10,7 @@ from ramanujan.numerals import number
 
 
 def integer(name: str, value: object, low: int, high: int) -> int:
-    """Return an integer from low to high as an int; `ValueError` names any other value.
+    """Return an integer from low to high as an int; raise `ValueError` for any other value.
 
     >>> integer("digits", 5, 2, 10)
     5
@@ -21,7 +21,7 @@ def integer(name: str, value: object, low: int, high: int) -> int:
 
 
 def rational(name: str, value: object, largest: int) -> Fraction:
-    """Return an exact number as a Fraction; its numerator and denominator may not exceed `largest` in size.
+    """Return an exact number as a Fraction whose numerator and denominator are at most `largest` in absolute value.
 
     >>> rational("target", 2, 10)
     Fraction(2, 1)

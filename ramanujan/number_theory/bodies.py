@@ -7,8 +7,8 @@ two lower rollers, β_c for the top body, s = β_a + β_b and γ = β_c/(1 + β_
 
     Ω²m/k = [(2 + γ) + 2ε] / [(1 + γ) + ¼(2 + γ)(2 + s)ε + ½sε²].
 
-With rising ε it falls from (2 + γ)/(1 + γ) to 0 (if s > 0). It takes each target w between them once, at the positive
-root of
+For s > 0 it decreases from (2 + γ)/(1 + γ) at ε = 0 and approaches 0 for large ε. For each target w in between, ε is
+the positive root of
 
     2ws ε² + [w(2 + γ)(2 + s) − 8] ε − 4[(2 + γ) − w(1 + γ)] = 0.
 """
@@ -32,10 +32,10 @@ BODIES = MappingProxyType(
 """Rolling bodies and their shape factors β = I/(MR²), from the thin hoop to the solid sphere."""
 
 LARGEST_PART = 10**6
-"""The largest numerator and denominator of a shape factor or a target, which keeps coefficients below 1e26."""
+"""The largest numerator and denominator of a shape factor or a target. Coefficients are then below 1e26."""
 
 LARGEST_RATIO_PART = 10**1000
-"""The largest numerator and denominator of a mass ratio; ordinary convergents are smaller."""
+"""The largest numerator and denominator of a mass ratio; the convergents of a mass ratio are smaller."""
 
 ShapeFactor = str | int | Fraction
 
@@ -65,7 +65,7 @@ def normalized_frequency_squared_exact(
     >>> normalized_frequency_squared_exact("hoop", "cylinder", "cylinder", 1)
     Fraction(104, 99)
     """
-    s, gamma = _inertia(beta_a, beta_b, beta_c)
+    s, gamma = _inertia_coefficients(beta_a, beta_b, beta_c)
     epsilon = rational("ratio", ratio, LARGEST_RATIO_PART)
     if epsilon < 0:
         raise ValueError("ratio must not be negative")
@@ -75,11 +75,11 @@ def normalized_frequency_squared_exact(
 def unit_quadratic(
     beta_a: ShapeFactor, beta_b: ShapeFactor, beta_c: ShapeFactor, target: int | Fraction = 1
 ) -> integers.Quadratic:
-    """Return the primitive integers (a, b, c), a > 0 > c, of the quadratic aε² + bε + c = 0 equivalent to Ω²m/k = w.
+    """Return coprime integers (a, b, c) such that aε² + bε + c = 0 is equivalent to Ω²m/k = w.
 
         2ws ε² + [w(2 + γ)(2 + s) − 8] ε − 4[(2 + γ) − w(1 + γ)] = 0
 
-    As a > 0 > c, exactly one of its roots is positive.
+    Because a > 0 > c, exactly one of its roots is positive.
 
     Parameters
     ----------
@@ -100,14 +100,14 @@ def unit_quadratic(
     >>> unit_quadratic("hoop", "cylinder", "cylinder")
     (18, 1, -24)
     """
-    s, gamma = _inertia(beta_a, beta_b, beta_c)
+    s, gamma = _inertia_coefficients(beta_a, beta_b, beta_c)
     if s == 0:
         raise ValueError("beta_a and beta_b must not both be 0: the equation for the mass ratio is then linear")
     w = rational("target", target, LARGEST_PART)
     limit = (2 + gamma) / (1 + gamma)
     if not 0 < w < limit:
         raise ValueError(f"target must lie strictly between 0 and {limit}, the limit for very light rollers")
-    return _primitive(2 * w * s, w * (2 + gamma) * (2 + s) - 8, 4 * (w * (1 + gamma) - (2 + gamma)))
+    return _make_coprime(2 * w * s, w * (2 + gamma) * (2 + s) - 8, 4 * (w * (1 + gamma) - (2 + gamma)))
 
 
 @dataclass(frozen=True)
@@ -122,7 +122,7 @@ class BodyChoice:
 
     Raises
     ------
-    ValueError : under the conditions of `unit_quadratic`, or if the discriminant for `cubes` exceeds 10¹².
+    ValueError : as in `unit_quadratic`. `cubes` also raises it if the discriminant exceeds 10¹².
 
     >>> BodyChoice().discriminant
     1729
@@ -147,12 +147,12 @@ class BodyChoice:
 
     @cached_property
     def quadratic(self) -> integers.Quadratic:
-        """(a, b, c) of aε² + bε + c = 0, primitive, a > 0."""
+        """(a, b, c) of aε² + bε + c = 0, coprime integers with a > 0 > c."""
         return unit_quadratic(*self.bodies, self.target)
 
     @property
     def discriminant(self) -> int:
-        """D = b² − 4ac > 0; up to the square of a fraction it equals (8/w − (2 + γ)(2 − s))² + 8sγ²."""
+        """D = b² − 4ac > 0. It is (8/w − (2 + γ)(2 − s))² + 8sγ² times the square of a rational number."""
         return integers.discriminant(*self.quadratic)
 
     @cached_property
@@ -172,9 +172,12 @@ class BodyChoice:
 
 
 def norm_form(target: int | Fraction = 1) -> tuple[int, int]:
-    """Return (x, y) such that x² + 3y² is the discriminant of the paper's machine for Ω²m/k = p/q, times a square.
+    """Return integers x and y such that x² + 3y² is D·r², with the discriminant D of the paper's machine.
 
-        x = 48q − 7p,   y = 4p,   x² + 3y² = (49p − 48q)² + 4·18p·(56q − 32p)
+    For Ω²m/k = p/q the quadratic is 18p ε² + (49p − 48q) ε − (56q − 32p) = 0, and r is the common factor of its
+    coefficients. Its discriminant before the division by r² is
+
+        D·r² = (49p − 48q)² + 4·18p·(56q − 32p) = x² + 3y²   with   x = 48q − 7p,   y = 4p
 
     Parameters
     ----------
@@ -188,7 +191,7 @@ def norm_form(target: int | Fraction = 1) -> tuple[int, int]:
     ------
     ValueError : the target is not an exact number in that range.
 
-    Source: `unit_quadratic` for s = 3/2, γ = 1/3; the square is that of the coefficients' common factor.
+    Source: `unit_quadratic` for s = 3/2, γ = 1/3.
 
     >>> norm_form()
     (41, 4)
@@ -208,23 +211,25 @@ def machines() -> list[BodyChoice]:
 
 
 def one_change_away() -> list[BodyChoice]:
-    """Return the nine of the 40 machines that differ from the paper's in exactly one body, in the order of `machines`.
+    """Return the nine machines that differ from the paper's machine in exactly one body, in the order of `machines`.
 
     >>> len(one_change_away())
     9
     """
     paper = BodyChoice()
-    return [machine for machine in machines() if _bodies_changed(machine, paper) == 1]
+    return [machine for machine in machines() if _count_changed_bodies(machine, paper) == 1]
 
 
-def _inertia(beta_a: ShapeFactor, beta_b: ShapeFactor, beta_c: ShapeFactor) -> tuple[Fraction, Fraction]:
+def _inertia_coefficients(beta_a: ShapeFactor, beta_b: ShapeFactor, beta_c: ShapeFactor) -> tuple[Fraction, Fraction]:
     """Return s = β_a + β_b and γ = β_c/(1 + β_c)."""
-    a, b, c = _shape_factor("beta_a", beta_a), _shape_factor("beta_b", beta_b), _shape_factor("beta_c", beta_c)
+    a = _shape_factor("beta_a", beta_a)
+    b = _shape_factor("beta_b", beta_b)
+    c = _shape_factor("beta_c", beta_c)
     return a + b, c / (1 + c)
 
 
 def _shape_factor(name: str, body: ShapeFactor) -> Fraction:
-    """Return β of a body given by name or number."""
+    """Return β of a body from its name in BODIES, or the number itself if it is from 0 to 1."""
     if isinstance(body, str):
         if body not in BODIES:
             raise ValueError(f"{name} must be one of {', '.join(BODIES)}, not {body!r}")
@@ -235,7 +240,7 @@ def _shape_factor(name: str, body: ShapeFactor) -> Fraction:
     return beta
 
 
-def _primitive(*coefficients: Fraction) -> integers.Quadratic:
+def _make_coprime(*coefficients: Fraction) -> integers.Quadratic:
     """Return coprime integers with the same ratios as the coefficients."""
     denominator = lcm(*(x.denominator for x in coefficients))
     a, b, c = (int(x * denominator) for x in coefficients)
@@ -243,7 +248,7 @@ def _primitive(*coefficients: Fraction) -> integers.Quadratic:
     return a // divisor, b // divisor, c // divisor
 
 
-def _bodies_changed(one: BodyChoice, other: BodyChoice) -> int:
+def _count_changed_bodies(machine: BodyChoice, paper: BodyChoice) -> int:
     """Return the number of different bodies in two machines; the order of the lower rollers does not matter."""
-    lower = Counter([one.left, one.right]) - Counter([other.left, other.right])
-    return lower.total() + (one.top != other.top)
+    changed_rollers = Counter([machine.left, machine.right]) - Counter([paper.left, paper.right])
+    return changed_rollers.total() + (machine.top != paper.top)

@@ -31,7 +31,7 @@ MOST_TERMS = 100
 """The largest number of terms of a continued fraction."""
 
 _LARGEST_QUOTIENT = 10**31
-"""An upper bound of the partial quotients: none exceeds √D, whose size the coefficients limit."""
+"""An upper bound of the partial quotients. None exceeds √D, and the coefficients are at most LARGEST_COEFFICIENT."""
 
 _CUBE_ROOTS = {root**3: root for root in range(1, 10**4 + 1)}
 """Cube → its root, for all cubes up to LARGEST_NUMBER."""
@@ -44,7 +44,7 @@ def discriminant(a: int, b: int, c: int) -> int:
 
     Parameters
     ----------
-    a, b, c : integers of up to 30 digits, a ≠ 0; `discriminant(*quadratic)` takes what `unit_quadratic` returns
+    a, b, c : integers of up to 30 digits, a ≠ 0, for example the result of `unit_quadratic`
 
     Returns
     -------
@@ -57,7 +57,7 @@ def discriminant(a: int, b: int, c: int) -> int:
     >>> discriminant(18, 1, -24)
     1729
     """
-    a, b, c = _coefficients(a, b, c)
+    a, b, c = _check_coefficients(a, b, c)
     return b * b - 4 * a * c
 
 
@@ -79,7 +79,7 @@ def factorization(n: int) -> tuple[tuple[int, int], ...]:
     >>> factorization(1729)
     ((7, 1), (13, 1), (19, 1))
     """
-    return tuple(sorted(factorint(_number(n)).items()))
+    return tuple(sorted(factorint(_check_number(n)).items()))
 
 
 def squarefree_part(n: int) -> int:
@@ -147,12 +147,13 @@ def sums_of_two_cubes(n: int) -> list[tuple[int, int]]:
     >>> sums_of_two_cubes(1729)
     [(1, 12), (9, 10)]
     """
-    n = _number(n)
+    n = _check_number(n)
     pairs = []
     for cube, x in _CUBE_ROOTS.items():
         if 2 * cube > n:
             break
-        if y := _CUBE_ROOTS.get(n - cube):
+        y = _CUBE_ROOTS.get(n - cube)
+        if y:
             pairs.append((x, y))
     return pairs
 
@@ -187,7 +188,7 @@ def represent_x2_plus_3y2(n: int) -> list[tuple[int, int]]:
     >>> (41, 4) in represent_x2_plus_3y2(1729)
     True
     """
-    n = _number(n)
+    n = _check_number(n)
     candidates = ((isqrt(n - 3 * y * y), y) for y in range(isqrt(n // 3) + 1))
     return sorted((x, y) for x, y in candidates if x * x + 3 * y * y == n)
 
@@ -215,7 +216,7 @@ def positive_root_digits(a: int, b: int, c: int, digits: int) -> str:
     >>> positive_root_digits(18, 1, -24, 10)
     '1.1272568270'
     """
-    a, b, c = _one_positive_root(a, b, c)
+    a, b, c = _check_positive_root(a, b, c)
     digits = integer("digits", digits, 1, MOST_DIGITS)
     scale = 10**digits
     scaled_root = (isqrt(discriminant(a, b, c) * scale**2) - b * scale) // (2 * a)
@@ -226,8 +227,8 @@ def positive_root_digits(a: int, b: int, c: int, digits: int) -> str:
 def continued_fraction(a: int, b: int, c: int, terms: int) -> list[int]:
     """Return the first partial quotients of the positive root of aε² + bε + c = 0; a rational root may have fewer.
 
-    Each complete quotient has the form (P + √D)/Q with integers P, Q, and Q divides D − P². Its conjugate (P − √D)/Q
-    stays negative, so Q stays positive and ⌊√D⌋ can replace √D under the floor.
+    Each complete quotient is (P + √D)/Q with integers P and Q, where Q divides D − P². Its conjugate (P − √D)/Q is
+    always negative, so Q is always positive. Therefore its integer part is ⌊(P + ⌊√D⌋)/Q⌋.
 
     Parameters
     ----------
@@ -247,14 +248,14 @@ def continued_fraction(a: int, b: int, c: int, terms: int) -> list[int]:
     >>> continued_fraction(18, 1, -24, 5)
     [1, 7, 1, 6, 20]
     """
-    a, b, c = _one_positive_root(a, b, c)
+    a, b, c = _check_positive_root(a, b, c)
     terms = integer("terms", terms, 1, MOST_TERMS)
     radicand = discriminant(a, b, c)
-    floor = isqrt(radicand)
+    root = isqrt(radicand)
     P, Q = -b, 2 * a
     quotients: list[int] = []
     while Q and len(quotients) < terms:
-        quotient = (P + floor) // Q
+        quotient = (P + root) // Q
         quotients.append(quotient)
         P = quotient * Q - P
         Q = (radicand - P * P) // Q
@@ -284,31 +285,36 @@ def convergents(quotients: Sequence[int]) -> list[Fraction]:
     if len(quotients) > MOST_TERMS:
         raise ValueError(f"quotients must be a list of at most {MOST_TERMS} integers")
     fractions: list[Fraction] = []
-    before, last = (0, 1), (1, 0)
+    p_before, q_before = 0, 1
+    p, q = 1, 0
     for position, value in enumerate(quotients):
-        quotient = integer("quotients", value, min(position, 1), _LARGEST_QUOTIENT)
-        before, last = last, (quotient * last[0] + before[0], quotient * last[1] + before[1])
-        fractions.append(Fraction(*last))
+        smallest = 0 if position == 0 else 1
+        quotient = integer("quotients", value, smallest, _LARGEST_QUOTIENT)
+        p, p_before = quotient * p + p_before, p
+        q, q_before = quotient * q + q_before, q
+        fractions.append(Fraction(p, q))
     return fractions
 
 
-def _one_positive_root(a: int, b: int, c: int) -> Quadratic:
-    """Return the coefficients, or raise ValueError unless a > 0 > c."""
-    a, b, c = _coefficients(a, b, c)
+def _check_positive_root(a: int, b: int, c: int) -> Quadratic:
+    """Return the coefficients; raise ValueError unless a > 0 > c."""
+    a, b, c = _check_coefficients(a, b, c)
     if not a > 0 > c:
         raise ValueError("a must be positive and c negative, so that exactly one root is positive")
     return a, b, c
 
 
-def _coefficients(a: int, b: int, c: int) -> Quadratic:
-    """Return a, b, c, or raise ValueError with the name of a coefficient that is not an integer in range."""
+def _check_coefficients(a: int, b: int, c: int) -> Quadratic:
+    """Return a, b, c; raise ValueError if one of them is not an integer in the range."""
     bound = LARGEST_COEFFICIENT
-    a, b, c = integer("a", a, -bound, bound), integer("b", b, -bound, bound), integer("c", c, -bound, bound)
+    a = integer("a", a, -bound, bound)
+    b = integer("b", b, -bound, bound)
+    c = integer("c", c, -bound, bound)
     if a == 0:
         raise ValueError("a must not be 0 in a quadratic")
     return a, b, c
 
 
-def _number(n: int) -> int:
-    """Return n, or raise ValueError unless it is an integer from 1 to LARGEST_NUMBER."""
+def _check_number(n: int) -> int:
+    """Return n; raise ValueError unless it is an integer from 1 to LARGEST_NUMBER."""
     return integer("n", n, 1, LARGEST_NUMBER)

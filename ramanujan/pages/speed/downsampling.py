@@ -5,7 +5,7 @@ from typing import Any
 
 import numpy as np
 
-from ramanujan.accuracy.runs import History, evaluations_of
+from ramanujan.accuracy.runs import History, count_evaluations
 from ramanujan.accuracy.work_precision import SHOWN_STEPS, WorkPrecision
 from ramanujan.numerals import number
 
@@ -52,7 +52,7 @@ class Run:
 def played(run: Run) -> dict[str, Any]:
     """Return the part of a run that the stage plays. Outside of the stage's range, the slab remains at the edge."""
     q = np.clip(np.nan_to_num(run.q, nan=ROOM), -ROOM, ROOM)
-    spent = evaluations_of(run.method, run.steps * np.arange(run.periods + 1)).clip(0)
+    spent = count_evaluations(run.method, run.steps * np.arange(run.periods + 1)).clip(0)
     log = [[number(cost, 6), number(off)] for cost, off in zip(spent.tolist(), run.turns.tolist(), strict=True)]
     return {"per_period": run.per_period, "q": q.astype(float).round(4).tolist(), "log": log}
 

@@ -77,7 +77,7 @@ def draw_forms() -> list[Sweep]:
     with figure:
         name = widgets.segmented_control(SWEEP, _("What is varied, and the precision"), label_visibility="collapsed")
         along, _between, dtype = name.partition("_")
-        shown = [s for s in swept if (s.along, s.dtype) == (along, dtype)]
+        shown = [s for s in swept if (s.sweep_name, s.dtype) == (along, dtype)]
         alternative = _("What {count:word} forms of Ω² return, from the least value to the greatest. {findings}.")
         findings = "; ".join(map(verdicts.describe_strip, shown))
         strips = {FORMS[each.form].title: verdicts.strip(each) for each in shown}
@@ -94,7 +94,7 @@ def draw_forms() -> list[Sweep]:
 
 def list_failures(shown: Sequence[Sweep]) -> None:
     """Name the failures of each form, and explain the forms."""
-    widgets.table(verdicts.failure_table(shown, cache.ALONG[shown[0].along][0]), "forms")
+    widgets.table(verdicts.failure_table(shown, cache.ALONG[shown[0].sweep_name][0]), "forms")
     item = _("- **{name}**: Ω² = {formula}")
     st.markdown("\n".join(item.format(name=form.title, formula=unbroken(form.formula)) for form in FORMS.values()))
 
@@ -129,7 +129,7 @@ def compare_solvers() -> None:
 def list_choices() -> None:
     """List the app's own methods with their uses, reasons and measurements."""
     choices = cache.choices()
-    drawn = {each.form: each for each in cache.sweeps()[0] if (each.along, each.dtype) == ("machines", "float64")}
+    drawn = {each.form: each for each in cache.sweeps()[0] if (each.sweep_name, each.dtype) == ("machines", "float64")}
     own = drawn["effective_mass"]
     enough = {name: _fewest_points(distances) for name, distances in choices.curves.items()}
     rounding = float(np.finfo(np.float32).eps) / 2

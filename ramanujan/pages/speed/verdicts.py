@@ -10,7 +10,7 @@ from ramanujan.accuracy.choices import ClosedForm
 from ramanujan.accuracy.extremes import FORMS, INACCURATE, OVERFLOW, PLAUSIBLE, RIGHT, ZERO, Stretch, Sweep
 from ramanujan.accuracy.general_solvers import SOLVERS, EigenSweep
 from ramanujan.accuracy.phase import PhaseErrors
-from ramanujan.accuracy.work_precision import STEPS_PER_PERIOD, Choice, WorkPrecision
+from ramanujan.accuracy.work_precision import STEPS_PER_PERIOD, CheapestRun, WorkPrecision
 from ramanujan.figures.speed import Part
 from ramanujan.integrators import METHODS, Method
 from ramanujan.numerals import at_least, distinct_from, duration, filled, number, quantity
@@ -90,7 +90,7 @@ def describe_errors(run: Run) -> str:
     return f"{evaluated} {phase} {energy} {verdict}"
 
 
-def recommend_run(choices: Sequence[Choice], tolerance: float, by: str, exact: ClosedForm | None) -> str:
+def recommend_run(choices: Sequence[CheapestRun], tolerance: float, by: str, exact: ClosedForm | None) -> str:
     """Name the cheapest run within the tolerance, its cost, and the cost of the closed form."""
     sentences = [_cheapest(choices[0], tolerance, by) if choices else _none_reaches(tolerance)]
     if exact is not None:
@@ -99,7 +99,7 @@ def recommend_run(choices: Sequence[Choice], tolerance: float, by: str, exact: C
     return " ".join(sentences)
 
 
-def _cheapest(best: Choice, tolerance: float, by: str) -> str:
+def _cheapest(best: CheapestRun, tolerance: float, by: str) -> str:
     named = (
         _(
             "For an error of at most {tolerance:1↑} of the amplitude, the fastest run on this server is **{method}** "
@@ -149,7 +149,7 @@ def explain_slope(curves: Sequence[WorkPrecision], run: Callable[[str, int, int,
     return " ".join(sentences)
 
 
-def choice_table(choices: Iterable[Choice]) -> Table:
+def choice_table(choices: Iterable[CheapestRun]) -> Table:
     """List the cheapest run of each method and precision."""
     rows: Table = [(_("Method"), _("Precision"), _("Steps per period"), _("Error"), _("Evaluations"), _("Time"))]
     for c in choices:
@@ -235,10 +235,10 @@ def describe_zero_modes(sweeps: Sequence[EigenSweep]) -> str:
     """Name the solvers that find both zero modes exactly, and state how often the others return no frequency."""
     sentences = [
         _("**{solver}** returns a negative or complex eigenvalue for a zero mode in {count} of {all} machines.").format(
-            solver=SOLVERS[s.solver].title, count=int(s.without_frequency.sum()), all=s.error_ulp.size
+            solver=SOLVERS[s.solver].title, count=int(s.lacks_real_frequency.sum()), all=s.error_ulp.size
         )
         for s in sweeps
-        if s.dtype == "float64" and s.without_frequency.any()
+        if s.dtype == "float64" and s.lacks_real_frequency.any()
     ]
     if sentences:
         sentences.append(
@@ -264,6 +264,6 @@ def zero_mode_table(sweeps: Sequence[EigenSweep]) -> Table:
     for s in sweeps:
         largest, error = (float(np.nanmax(np.abs(each))) for each in (s.zero_modes, s.error_ulp))
         zero = quantity(largest, "rad²/s²") if largest else _("exactly 0")
-        count = _("{count} of {all}").format(count=int(s.without_frequency.sum()), all=s.error_ulp.size)
+        count = _("{count} of {all}").format(count=int(s.lacks_real_frequency.sum()), all=s.error_ulp.size)
         rows.append((SOLVERS[s.solver].title, s.dtype, quantity(error, "ulp"), zero, count))
     return rows
