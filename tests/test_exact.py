@@ -10,7 +10,7 @@ from hypothesis import strategies as st
 
 from ramanujan.derivation.model import m
 from ramanujan.derivation.numbers import Numbers
-from ramanujan.derivation.printers import Number, rounded, truncated
+from ramanujan.derivation.printers import QuadraticNumber, round_number, truncate
 from ramanujan.derivation.rows import side_terms
 
 ROOT, HALF = sp.sqrt(1729), sp.Rational(1, 2)
@@ -24,7 +24,7 @@ def shown(number: sp.Expr) -> str:
 @settings(deadline=None, max_examples=40)
 @given(st.integers(1, 10**30), st.integers(1, 10**30))
 def test_a_decimal_with_dots_is_truncated_and_one_without_is_exact(p, q):
-    text = truncated(Number(p, q))
+    text = truncate(QuadraticNumber(p, q))
     digits = text.replace(r"\ldots", "").replace(r" \times 10^{", "e").rstrip("}")
     shown, exact = Fraction(digits), Fraction(p, q)
     if r"\ldots" in text:
@@ -36,7 +36,7 @@ def test_a_decimal_with_dots_is_truncated_and_one_without_is_exact(p, q):
 @settings(deadline=None, max_examples=40)
 @given(st.integers(-(10**20), 10**20), st.integers(1, 10**20))
 def test_a_rounded_decimal_is_near(p, q):
-    text = rounded(Number(p, q)).replace(r" \times 10^{", "e").rstrip("}")
+    text = round_number(QuadraticNumber(p, q)).replace(r" \times 10^{", "e").rstrip("}")
     assert abs(Fraction(text) - Fraction(p, q)) <= abs(Fraction(p, q)) * Fraction(1, 10**7)
 
 
@@ -61,4 +61,4 @@ def test_a_near_cancellation_keeps_its_digits():
     p = 10**30
     r = -int(p / mpmath.sqrt(1729))
     exact = mpmath.mpf(p) + r * mpmath.sqrt(1729)
-    assert rounded(Number.of(p, r, 1, 1729), 12) == mpmath.nstr(exact, 12)
+    assert round_number(QuadraticNumber.of(p, r, 1, 1729), 12) == mpmath.nstr(exact, 12)

@@ -223,9 +223,9 @@ def displayed(given: Masses | None) -> Iterator[tuple[str, str, bool, str]]:
     yield from (("matrix", "", False, line) for line in (shape, *equations(momenta)))
     for (*_, key), step in zip(first_page.SUMMARY, first_page.summary.__wrapped__(numbers), strict=True):
         blocks = [
-            *(first_page.aligned(way.between, first_page.LINE_WIDTH) for way in step.ways),
+            *(first_page.align(way.between, first_page.LINE_WIDTH) for way in step.ways),
             *(way.equations for way in step.ways),
-            first_page.aligned(step.numbers, first_page.LINE_WIDTH),
+            first_page.align(step.numbers, first_page.LINE_WIDTH),
         ]
         of_blocks = [line for block in filter(None, blocks) for line in equations(block)]
         yield from (("euler_lagrange", key, False, line) for line in (*step.results, *of_blocks))

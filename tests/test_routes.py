@@ -45,14 +45,14 @@ def test_the_routes_agree_for_other_bodies_too(bodies):
     expected = eliminate(other).natural_frequency_squared
     assert expected != ROUTES["matrix"].natural_frequency_squared
     by_hamilton = 4 * k / reduce_to_one_degree(legendre_transform(other)[2])[0]
-    by_newton = -newton.free_bodies(other).solution[newton.angular_acceleration("hoop")] / phi
+    by_newton = -newton.solve_free_bodies(other).solution[newton.angular_acceleration("hoop")] / phi
     by_energy = 4 * k / least_inertia(other)[2]
     for result in (by_hamilton, by_newton, by_energy, modes(other).natural_frequency_squared):
         assert equal(result, expected)
 
 
 def test_thirteen_equations_for_thirteen_unknowns():
-    cut = newton.free_bodies(machine())
+    cut = newton.solve_free_bodies(machine())
     assert (len(cut.forces), len(cut.torques), len(cut.rolling)) == (5, 3, 5)
     assert len(cut.solution) == 13
     coefficients, _ = sp.linear_eq_to_matrix(cut.forces + cut.torques + cut.rolling, list(cut.solution))

@@ -15,10 +15,17 @@ X_ddot, phi_ddot, Phi_ddot = (q.diff(t, 2) for q in COORDINATES)
 class Elimination:
     """The three equations of motion, and the equation of φ after the elimination of X and Φ.
 
-    `momenta` maps each coordinate to p = ∂ℒ/∂q̇, and `forces` maps it to ∂ℒ/∂q. `motion` is ṗ − ∂ℒ/∂q, the left side
-    of … = 0, divided by the `common` factor of its terms. `merged` contains the three lines that eliminate Φ̈: the
-    first line replaces a term of the X equation multiplied by `times`. The other fields are Φ̈ in terms of Ẍ, Ẍ and Φ̈
-    in terms of φ̈, the φ equation after insertion and with like terms gathered, and Ω².
+    Parameters
+    ----------
+    lagrangian : ℒ
+    momenta, forces : coordinate → p = ∂ℒ/∂q̇, and coordinate → ∂ℒ/∂q
+    common : coordinate → common factor of the terms of ṗ − ∂ℒ/∂q
+    motion : coordinate → (ṗ − ∂ℒ/∂q)/common, the left side of the equation of motion, whose right side is 0
+    times, merged : the factor of the X equation, and the three lines that eliminate Φ̈, from `_merge_equations`
+    Phi_from_X : Φ̈ in terms of Ẍ
+    X_from_phi, Phi_from_phi : Ẍ and Φ̈ in terms of φ̈
+    inserted, remaining : the φ equation with Ẍ inserted, before and after like terms are gathered
+    natural_frequency_squared : Ω²
     """
 
     lagrangian: sp.Expr
@@ -38,15 +45,18 @@ class Elimination:
     @property
     def quotient(self) -> tuple[sp.Expr, tuple[sp.Expr, ...]]:
         """Numerator of Ω², and the terms of its denominator one by one.  Source: paper, eq. (12)."""
-        direct, through_block = self.motion[phi].coeff(phi_ddot), self.motion[phi].coeff(X_ddot) * self.X_from_phi
-        unit = direct.as_independent(m, m_prime)[0]
-        terms = (*ordered_terms(sp.expand(direct / unit)), sp.factor(through_block / phi_ddot / unit))
-        return sp.cancel(self.motion[phi].coeff(phi) / unit), terms
+        phi_equation = self.motion[phi]
+        own_inertia = phi_equation.coeff(phi_ddot)
+        inertia_of_block = phi_equation.coeff(X_ddot) * self.X_from_phi / phi_ddot
+        # Divide by the number before the masses.
+        number, _masses = own_inertia.as_independent(m, m_prime)
+        terms = (*ordered_terms(sp.expand(own_inertia / number)), sp.factor(inertia_of_block / number))
+        return sp.cancel(phi_equation.coeff(phi) / number), terms
 
 
 @cache
 def eliminate(bodies: Machine) -> Elimination:
-    """Return the paper's elimination for the machine: the Φ equation into the X equation, both into that of φ.
+    """Return the paper's elimination: insert the Φ equation into the X equation, and the result into the φ equation.
 
     >>> from ramanujan.derivation.model import machine
     >>> eliminate(machine(roller_mass=m)).natural_frequency_squared
@@ -56,50 +66,54 @@ def eliminate(bodies: Machine) -> Elimination:
     momenta = {q: lagrangian.diff(q.diff(t)) for q in COORDINATES}
     forces = {q: lagrangian.diff(q) for q in COORDINATES}
     # Lagrange’s equations: paper, eq. (3).
-    operated = {q: gather(momenta[q].diff(t) - forces[q]) for q in COORDINATES}
-    common = {q: _common_factor(expression) for q, expression in operated.items()}
-    motion = {q: gather(sp.cancel(operated[q] / common[q])) for q in COORDINATES}
+    left_sides = {q: gather(momenta[q].diff(t) - forces[q]) for q in COORDINATES}
+    common = {q: _common_factor(left_side) for q, left_side in left_sides.items()}
+    motion = {q: gather(sp.cancel(left_sides[q] / common[q])) for q in COORDINATES}
     (Phi_from_X,) = sp.solve(motion[Phi], Phi_ddot)
     (X_from_phi,) = sp.solve(motion[X].subs(Phi_ddot, Phi_from_X), X_ddot)
     inserted = in_order(*(sp.factor(term.subs(X_ddot, X_from_phi)) for term in ordered_terms(motion[phi])))
     remaining = gather(inserted.doit())
+    times, merged = _merge_equations(motion)
     return Elimination(
-        lagrangian,
-        momenta,
-        forces,
-        common,
-        motion,
-        *_merged(motion),
-        Phi_from_X,
-        sp.factor(X_from_phi),
-        sp.factor(Phi_from_X.subs(X_ddot, X_from_phi)),
-        inserted,
-        remaining,
-        sp.factor(remaining.coeff(phi) / remaining.coeff(phi_ddot)),
+        lagrangian=lagrangian,
+        momenta=momenta,
+        forces=forces,
+        common=common,
+        motion=motion,
+        times=times,
+        merged=merged,
+        Phi_from_X=Phi_from_X,
+        X_from_phi=sp.factor(X_from_phi),
+        Phi_from_phi=sp.factor(Phi_from_X.subs(X_ddot, X_from_phi)),
+        inserted=inserted,
+        remaining=remaining,
+        natural_frequency_squared=sp.factor(remaining.coeff(phi) / remaining.coeff(phi_ddot)),
     )
 
 
-def _merged(motion: dict[sp.Expr, sp.Expr]) -> tuple[sp.Rational, tuple[sp.Eq, ...]]:
-    """Return the factor of the X equation, and three lines.
+def _merge_equations(motion: dict[sp.Expr, sp.Expr]) -> tuple[sp.Rational, tuple[sp.Eq, ...]]:
+    """Return a factor of the X equation, and the three lines that eliminate Φ̈.
 
-    The lines are the Φ equation solved for its term in Φ̈, the multiple of the X equation, and the multiple with that
-    term replaced.
+    The lines are the Φ equation solved for its term with Φ̈, the X equation times the factor, and the same with the term
+    with Φ̈ replaced. The factor is a number. The terms with Φ̈ may still differ by a symbol, `share`.
     """
-    of_Phi = motion[Phi].coeff(Phi_ddot) * Phi_ddot
-    by_X = of_Phi - motion[Phi]
-    times, share = (-motion[Phi].coeff(Phi_ddot) / motion[X].coeff(Phi_ddot)).as_coeff_Mul()
-    block, rollers = (sp.factor(times * motion[X].coeff(a)) * a for a in (X_ddot, phi_ddot))
+    Phi_term = motion[Phi].coeff(Phi_ddot) * Phi_ddot
+    equal_to_Phi_term = Phi_term - motion[Phi]
+    ratio_of_Phi_terms = -motion[Phi].coeff(Phi_ddot) / motion[X].coeff(Phi_ddot)
+    times, share = ratio_of_Phi_terms.as_coeff_Mul()
+    X_term = sp.factor(times * motion[X].coeff(X_ddot)) * X_ddot
+    phi_term = sp.factor(times * motion[X].coeff(phi_ddot)) * phi_ddot
     lines = (
-        equation(of_Phi, by_X),
-        equation(in_order(block, -of_Phi / share), -rollers),
-        equation(in_order(block, -sp.cancel(by_X / share)), -rollers),
+        equation(Phi_term, equal_to_Phi_term),
+        equation(in_order(X_term, -Phi_term / share), -phi_term),
+        equation(in_order(X_term, -sp.cancel(equal_to_Phi_term / share)), -phi_term),
     )
     return times, lines
 
 
 @dataclass(frozen=True)
 class UnitCondition:
-    """When Ω² = k/m: the frequency in units of k/m, the quadratic in ε = m′/m, its positive root, its discriminant."""
+    """The condition Ω² = k/m: Ω²m/k, the quadratic equation for ε = m′/m, its positive root, and its discriminant."""
 
     normalized_frequency_squared: sp.Expr
     quadratic: sp.Poly
@@ -114,7 +128,11 @@ class UnitCondition:
 
 
 def unit_condition(natural_frequency_squared: sp.Expr) -> UnitCondition:
-    """Return the condition Ω²m/k = 1 for a frequency given in m, m′ and k, as a quadratic in ε with integers.
+    """Return the condition Ω²m/k = 1 as a quadratic equation for ε with integer coefficients.
+
+    Parameters
+    ----------
+    natural_frequency_squared : Ω² in terms of m, m′ and k
 
     Raises
     ------

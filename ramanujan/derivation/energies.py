@@ -10,7 +10,7 @@ import sympy as sp
 from ramanujan.derivation.model import Body, Machine, R, equation, gather, k, m, m_prime, machine, t
 from ramanujan.derivation.order import in_order
 from ramanujan.derivation.printers import latex
-from ramanujan.derivation.steps import Step, blackboard, insert, step
+from ramanujan.derivation.steps import Step, insert, margin_text, step
 from ramanujan.translation import _
 
 PARTS = {
@@ -24,32 +24,25 @@ PARTS = {
 """The five bodies and the spring: id → label."""
 
 _KINETIC, _POTENTIAL, _LAGRANGIAN = sp.symbols("T U L")
+# The energies of translation, of rotation and of the spring, for the margin.
 _TRAVEL, _SPIN, _STORED = r"\tfrac12mv^2", r"\tfrac12I\omega^2", r"\tfrac12kx^2"
-COLLECTED = blackboard(_("collect"))
+COLLECTED = margin_text(_("collect"))
 
 
-def rolled(body: Body, order: str = "") -> str:
-    """Return the reason for a body's velocity, or acceleration with order ^2: rolling, or the block's coordinate."""
+def velocity_reason(body: Body, order: str = "") -> str:
+    """Return the operation that leads to a body's velocity, or to its acceleration with the order ^2."""
     if body.displacement.has(R):
-        return blackboard(_("rolling without slipping"))
+        return margin_text(_("rolling without slipping"))
     return rf"\tfrac{{d{order}}}{{dt{order}}}\left({latex(body.displacement)}\right)"
 
 
 def bodies_steps(bodies: Machine) -> tuple[Step, ...]:
     """Return the steps from the rolling bodies to the Lagrangian as a sum over them."""
     rolling = [body for body in bodies.bodies if body.angle != 0]
-    half = sp.Rational(1, 2)
-    energies: dict[str, sp.Expr] = {}
-    block, slab = sp.symbols("x_block x_slab")
-    for body in bodies.bodies:
-        energies[body.name] = half * body.mass * sp.Symbol(f"v_{body.name}") ** 2
-        if body in rolling:
-            rotation = half * sp.Symbol(f"I_{body.name}") * body.angle.diff(t) ** 2
-            energies[body.name] = in_order(energies[body.name], rotation)
     return (
         _velocities_step(bodies),
-        _inertia_step(bodies, block, rolling, slab),
-        _body_energies_step(bodies, energies, half, rolling),
+        _inertia_step(bodies, rolling),
+        _body_energies_step(bodies, rolling),
         _sum_step(bodies),
     )
 
@@ -65,11 +58,12 @@ def _velocities_step(bodies: Machine) -> Step:
             "tops of the lower rollers and moves with them."
         ),
         *(equation(f"v_{body.name}", body.velocity) for body in bodies.bodies),
-        operations=tuple(rolled(body) for body in bodies.bodies),
+        operations=tuple(velocity_reason(body) for body in bodies.bodies),
     )
 
 
-def _inertia_step(bodies: Machine, block: sp.Expr, rolling: list[Body], slab: sp.Expr) -> Step:
+def _inertia_step(bodies: Machine, rolling: list[Body]) -> Step:
+    x_block, x_slab = sp.symbols("x_block x_slab")
     return step(
         "inertia",
         _("Find the moments of inertia and the compression of the spring"),
@@ -80,11 +74,18 @@ def _inertia_step(bodies: Machine, block: sp.Expr, rolling: list[Body], slab: sp
         ),
         *(equation(f"I_{body.name}", body.moment_of_inertia) for body in rolling),
         equation("x", bodies.deformation),
-        operations=(*(r"\textstyle\int r^2\,dm" for _body in rolling), rf"{latex(slab)}-{latex(block)}"),
+        operations=(*(r"\textstyle\int r^2\,dm" for _body in rolling), rf"{latex(x_slab)}-{latex(x_block)}"),
     )
 
 
-def _body_energies_step(bodies: Machine, energies: dict[str, sp.Expr], half: sp.Expr, rolling: list[Body]) -> Step:
+def _body_energies_step(bodies: Machine, rolling: list[Body]) -> Step:
+    half = sp.Rational(1, 2)
+    energies: dict[str, sp.Expr] = {}
+    for body in bodies.bodies:
+        energies[body.name] = half * body.mass * sp.Symbol(f"v_{body.name}") ** 2
+        if body in rolling:
+            rotation = half * sp.Symbol(f"I_{body.name}") * body.angle.diff(t) ** 2
+            energies[body.name] = in_order(energies[body.name], rotation)
     return step(
         "energies",
         _("Write down the energies"),
@@ -130,44 +131,49 @@ def energies_step(bodies: Machine, reason: str) -> Step:
     )
 
 
-def terms(equation: sp.Eq) -> dict[str, tuple[sp.Expr, ...]]:
-    """Return the terms that each part contributes to the T or ℒ that an equation states, not multiplied out.
+def terms_by_part(equation: sp.Eq) -> dict[str, tuple[sp.Expr, ...]]:
+    """Return the terms of T or ℒ by body, not multiplied out; for ℒ also the term of the spring.
 
-    Their sum is the equation's right side. Empty for an equation that states neither.
+    Their sum is the right side of the equation. The result is empty if the left side is neither T nor ℒ.
 
     Parameters
     ----------
     equation : in symbols, from a route
 
     >>> from ramanujan.derivation import ROUTES
-    >>> terms(ROUTES["energy"]["energies"].equations[0])["block"]
+    >>> terms_by_part(ROUTES["energy"]["energies"].equations[0])["block"]
     (m*Derivative(X(t), t)**2/2,)
     """
     if equation.lhs not in (_KINETIC, _LAGRANGIAN):
         return {}
     roller_mass = m_prime if m_prime in equation.free_symbols else m
-    kinetic, spring = _terms(roller_mass)
+    kinetic, spring = _terms_of_machine(roller_mass)
     return kinetic if equation.lhs == _KINETIC else kinetic | {"spring": (spring,)}
 
 
 def belongs_to(part: str, equation: sp.Eq) -> bool:
-    """Return whether an equation is about a part: its left side names the part, or is the energy of the spring.
+    """Return whether the left side of an equation belongs to a part of the machine.
+
+    It has the name of the part in a subscript, or it is U, which belongs to the spring.
 
     >>> from ramanujan.derivation import ROUTES
     >>> belongs_to("hoop", ROUTES["newton"]["torques"].equations[0])
     True
     """
-    return bool(names(part, equation.lhs)) or (part == "spring" and equation.lhs == _POTENTIAL)
+    return bool(symbols_of_part(part, equation.lhs)) or (part == "spring" and equation.lhs == _POTENTIAL)
 
 
-def names(part: str, expression: sp.Basic) -> frozenset[sp.Basic]:
+def symbols_of_part(part: str, expression: sp.Basic) -> frozenset[sp.Basic]:
     """Return the symbols and functions of time whose subscript is the part's name."""
     candidates = expression.atoms(sp.Symbol, sp.core.function.AppliedUndef)
     return frozenset(atom for atom in candidates if str(atom).removesuffix("(t)").endswith(f"_{part}"))
 
 
 @cache
-def _terms(roller_mass: sp.Symbol) -> tuple[dict[str, tuple[sp.Expr, ...]], sp.Expr]:
+def _terms_of_machine(roller_mass: sp.Symbol) -> tuple[dict[str, tuple[sp.Expr, ...]], sp.Expr]:
+    """Return the terms of T by body, and the term of the spring in ℒ."""
     bodies = machine(roller_mass)
-    kinetic = {body.name: tuple(e for e in (body.translation, body.rotation) if e != 0) for body in bodies.bodies}
+    kinetic = {}
+    for body in bodies.bodies:
+        kinetic[body.name] = (body.translation, body.rotation) if body.rotation != 0 else (body.translation,)
     return kinetic, -bodies.potential_energy

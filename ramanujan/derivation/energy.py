@@ -15,7 +15,7 @@ from ramanujan.derivation import model
 from ramanujan.derivation.energies import energies_step
 from ramanujan.derivation.model import M_e, M_x, Machine, Omega_squared, Phi, R, X, equation, gather, m_prime, phi, t
 from ramanujan.derivation.printers import latex
-from ramanujan.derivation.steps import ROUTES, Route, Step, blackboard, insert, solve_for, step
+from ramanujan.derivation.steps import ROUTES, Route, Step, insert, margin_text, solve_for, step
 from ramanujan.translation import _
 
 xi, eta = sp.symbols("xi eta", real=True)
@@ -23,7 +23,7 @@ xi, eta = sp.symbols("xi eta", real=True)
 
 
 def least_inertia(bodies: Machine) -> tuple[sp.Expr, dict[sp.Symbol, sp.Expr], sp.Expr]:
-    """Return the inertia 2T/(Rφ̇)² as a function of ξ and η, the position of its minimum, and its least value.
+    """Return the inertia 2T/(Rφ̇)² as a function of ξ and η, the ξ and η at its minimum, and its least value.
 
     >>> from ramanujan.derivation.model import machine
     >>> inertia, shares, least = least_inertia(machine())
@@ -38,7 +38,7 @@ def least_inertia(bodies: Machine) -> tuple[sp.Expr, dict[sp.Symbol, sp.Expr], s
 
 
 def spin_of_lower_rollers(bodies: Machine) -> sp.Expr:
-    """Return the part of M_x that comes from the lower rollers' spin: Σ I φ̇² over the square of ẋ = 2Rφ̇.
+    """Return the part of M_x that comes from the rotation of the lower rollers: Σ I φ̇²/ẋ² with ẋ = 2Rφ̇.
 
     >>> from ramanujan.derivation.model import machine
     >>> spin_of_lower_rollers(machine())
@@ -123,7 +123,7 @@ def _least_step(
             insert(eta),
             solve_for(xi),
             insert(xi),
-            blackboard(_("second derivatives")),
+            margin_text(_("second derivatives")),
         ),
     )
 
@@ -158,7 +158,7 @@ def _bound_step(clamped: sp.Expr, least: sp.Expr, stiffness: sp.Expr) -> Step:
 
 
 def _spring_mass_step(bodies: Machine, least: sp.Expr, stiffness: sp.Expr) -> Step:
-    """Return the step to M_x, without the sentence about one of its two terms if they merge."""
+    """Return the step to M_x, without the sentence about its two terms for equal masses or with numbers."""
     lever, spin = sp.cancel(bodies.deformation / (R * phi)) ** 2, spin_of_lower_rollers(bodies)
     spring_mass = sp.factor(least / lever)
     reason = _("With the deformation $2R\\varphi$ of the spring as coordinate, the machine acts like one mass $M_x$.")

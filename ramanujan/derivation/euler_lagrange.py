@@ -12,7 +12,7 @@ from ramanujan.derivation.in_step import close_to_one_step, unit_steps
 from ramanujan.derivation.model import COORDINATES, MOMENTA, Omega_squared, equation, gather, k, m, m_prime, phi, t
 from ramanujan.derivation.order import in_order
 from ramanujan.derivation.printers import latex
-from ramanujan.derivation.steps import ROUTES, Route, Step, blackboard, compare, insert, solve_for, step
+from ramanujan.derivation.steps import ROUTES, Route, Step, compare, insert, margin_text, solve_for, step
 from ramanujan.translation import _
 
 
@@ -90,7 +90,7 @@ def _motion_step(result: Elimination, coordinates: tuple[str, ...]) -> Step:
         labels=coordinates,
         marks=("", "left 3", ""),
         operations=tuple(
-            "" if factor == 1 else blackboard(_("cancel {what}"), factor) for factor in result.common.values()
+            "" if factor == 1 else margin_text(_("cancel {what}"), factor) for factor in result.common.values()
         ),
     )
 
@@ -130,9 +130,9 @@ def _insertion_step(result: Elimination, numerator: sp.Expr, spring: sp.Expr, te
         marks=("left 1, left 2", "left 1", "left 2", "left 2"),
         operations=(
             insert(X_ddot),
-            blackboard(_("collect {what}"), phi_ddot),
-            blackboard(_("divide by the factor of {what}"), phi_ddot),
-            blackboard(_("one fraction")),
+            margin_text(_("collect {what}"), phi_ddot),
+            margin_text(_("divide by the factor of {what}"), phi_ddot),
+            margin_text(_("one fraction")),
         ),
     )
 

@@ -4,14 +4,15 @@ LaTeX and Markdown contain the route in symbols or with the numbers of one machi
 """
 
 import json
+import math
 import re
 
 import sympy as sp
 
 from ramanujan.derivation.nomenclature import DOTS, nomenclature
 from ramanujan.derivation.notebooks import BODIES, CHECK, DISTANCE, FREQUENCY
-from ramanujan.derivation.numbers import Numbers, stated
-from ramanujan.derivation.rows import Row, extent, rows, widest
+from ramanujan.derivation.numbers import Numbers, state_numbers
+from ramanujan.derivation.rows import Row, measure_left_sides, measure_width, rows
 from ramanujan.derivation.steps import Route, Step
 from ramanujan.translation import _, pgettext
 
@@ -64,11 +65,16 @@ _IN_PROSE = {
     "·": r"$\cdot$",
     "…": r"\dots{}",
 }
+_PROSE_TABLE = str.maketrans(_IN_PROSE)
 _LINE_WIDTH = 60
 """Characters of a formula that fit on one line of the article, from typesetting all routes with TeX."""
 _SLIDE_WIDTH, _SLIDE_LINES = 50, 5
-"""Characters of a formula that fit on one line of a slide, and such lines on a slide."""
+"""Characters of a formula that fit on one line of a slide, and lines that fit on a slide."""
 _MATH = re.compile(r"(\$[^$]*\$)")
+
+
+BrokenRow = tuple[Row, list[str]]
+"""A row, and the lines of its right side."""
 
 
 def to_latex(route: Route, numbers: Numbers | None = None) -> str:
@@ -85,7 +91,7 @@ def to_latex(route: Route, numbers: Numbers | None = None) -> str:
     symbols = f"\\section*{{{heading}}}\n\\begin{{itemize}}\n{entries}\\end{{itemize}}\n{prose_to_latex(DOTS)}\n"
     body = "".join(_latex_section(step, numbers) for step in route.steps)
     title = f"\\title{{{prose_to_latex(TITLE.format(route=route.title))}}}\n\\author{{}}\n\\date{{}}\n"
-    opening = f"\\begin{{document}}\n\\maketitle\n{prose_to_latex(_numbers_stated(numbers))}{symbols}"
+    opening = f"\\begin{{document}}\n\\maketitle\n{prose_to_latex(_number_paragraph(numbers))}{symbols}"
     return f"{_PREAMBLE}{_WORDS}{title}{opening}{body}\\end{{document}}\n"
 
 
@@ -100,11 +106,11 @@ def to_beamer(route: Route, numbers: Numbers | None = None, picture: str = "", s
     step : number of the requested step, counted from 1; none for all
     """
     title = f"\\title{{{prose_to_latex(TITLE.format(route=route.title))}}}\n\\date{{}}\n"
-    sentence = f"\n{prose_to_latex(stated(numbers))}\n" if numbers else ""
+    sentence = f"\n{prose_to_latex(state_numbers(numbers))}\n" if numbers else ""
     machine = f"\\centering\n% {_ANY_PICTURE}\n{picture}{sentence}"
     frames = [("title", "", "\\titlepage\n"), ("machine", prose_to_latex(_MACHINE), machine)]
     for each in route.steps if step is None else route.steps[step - 1 : step]:
-        frames += _slides(each, numbers)
+        frames += _build_frames(each, numbers)
     body = "".join(f"\\begin{{frame}}[label={label}]{{{head}}}\n{text}\\end{{frame}}\n" for label, head, text in frames)
     return f"{_SLIDES}{_WORDS}{title}\\begin{{document}}\n{body}\\end{{document}}\n"
 
@@ -117,7 +123,7 @@ def to_markdown(route: Route, numbers: Numbers | None = None) -> str:
     route : one of `ROUTES`, in symbols
     numbers : of the machine; none for the symbols
     """
-    opening = f"# {TITLE.format(route=route.title)}\n\n{_numbers_stated(numbers)}{_symbols(route)}"
+    opening = f"# {TITLE.format(route=route.title)}\n\n{_number_paragraph(numbers)}{_list_symbols(route)}"
     sections = (_markdown_section(n, step, numbers) for n, step in enumerate(route.steps, start=1))
     return "\n\n".join([opening, *sections]) + "\n"
 
@@ -132,13 +138,13 @@ def to_notebook(route: Route, numbers: Numbers | None = None) -> str:
     """
     cells = [
         _cell("title", "markdown", f"# {TITLE.format(route=route.title)}\n\n{_BODIES}"),
-        _cell("symbols", "markdown", _symbols(route)),
+        _cell("symbols", "markdown", _list_symbols(route)),
         _cell("bodies", "code", BODIES),
     ]
     parts = [(key, f"## {route[key].heading}\n\n{route[key].reason}", code) for key, code in route.cells.items()]
     parts.append(("check", f"## {_CHECKED}\n\n{_CHECK}", CHECK))
     if numbers:
-        parts.append(("values", f"## {_WITH_NUMBERS}\n\n{stated(numbers)}", _assigned(numbers)))
+        parts.append(("values", f"## {_WITH_NUMBERS}\n\n{state_numbers(numbers)}", _assign_numbers(numbers)))
         parts.append(("distance", _DISTANCE, DISTANCE))
     for key, text, code in parts:
         cells += [_cell(key, "markdown", text), _cell(key, "code", code)]
@@ -151,46 +157,57 @@ def to_notebook(route: Route, numbers: Numbers | None = None) -> str:
 
 def prose_to_latex(text: str) -> str:
     """Return Markdown prose as LaTeX: keep formulas between dollar signs, and escape the remaining text."""
-    return "".join(
-        part if _MATH.fullmatch(part) else "".join(_IN_PROSE.get(character, character) for character in part)
-        for part in _MATH.split(text)
-    )
+    # `split` also returns the formulas, at the odd indices.
+    parts = _MATH.split(text)
+    parts[::2] = [part.translate(_PROSE_TABLE) for part in parts[::2]]
+    return "".join(parts)
 
 
 def _latex_section(step: Step, numbers: Numbers | None) -> str:
-    adapted, shown = step.for_numbers(numbers), rows(step, numbers)
+    adapted = step.for_numbers(numbers)
     heading, reason = prose_to_latex(adapted.heading), prose_to_latex(adapted.reason)
-    return f"\\section{{{heading}}}\n{reason}\n{_display(_broken(shown, _LINE_WIDTH), _LINE_WIDTH)}"
+    equations = _format_equations(_break_lines(rows(step, numbers), _LINE_WIDTH), _LINE_WIDTH)
+    return f"\\section{{{heading}}}\n{reason}\n{equations}"
 
 
-def _slides(step: Step, numbers: Numbers | None) -> list[tuple[str, str, str]]:
+def _build_frames(step: Step, numbers: Numbers | None) -> list[tuple[str, str, str]]:
     """Return the frames of a step, each with its label, heading and content: its reason, then its equations."""
-    adapted, shown = step.for_numbers(numbers), rows(step, numbers)
-    broken = _broken(shown, _SLIDE_WIDTH)
-    total = sum(len(lines) for _row, lines in broken)
-    most = -(-total // max(1, -(-total // _SLIDE_LINES)))
-    parts: list[list[tuple[Row, list[str]]]] = [[]]
-    for row, lines in broken:
-        used = sum(len(others) for _row, others in parts[-1])
-        if used and used + len(lines) > most:
-            parts.append([])
-        parts[-1].append((row, lines))
-    heading, texts = prose_to_latex(adapted.heading), [_display(part, _SLIDE_WIDTH) if part else "" for part in parts]
+    adapted = step.for_numbers(numbers)
+    broken = _break_lines(rows(step, numbers), _SLIDE_WIDTH)
+    texts = [_format_equations(part, _SLIDE_WIDTH) if part else "" for part in _distribute(broken)]
     texts[0] = f"{prose_to_latex(adapted.reason)}\n{texts[0]}"
-    labels = (step.key, *(f"{step.key}-{number}" for number in range(2, len(texts) + 1)))
+    labels = [step.key, *(f"{step.key}-{number}" for number in range(2, len(texts) + 1))]
+    heading = prose_to_latex(adapted.heading)
     return [(label, heading, text) for label, text in zip(labels, texts, strict=True)]
 
 
-def _broken(shown: list[Row], width: int) -> list[tuple[Row, list[str]]]:
-    """Return rows that are aligned with each other, each with its right side in lines."""
-    return [(each, each.lines(width, widest(shown))) for each in shown]
+def _distribute(broken: list[BrokenRow]) -> list[list[BrokenRow]]:
+    """Return the rows of each slide of a step, with about the same number of lines on each slide."""
+    total = sum(len(lines) for _row, lines in broken)
+    slides = max(1, math.ceil(total / _SLIDE_LINES))
+    most_lines = math.ceil(total / slides)
+    parts: list[list[BrokenRow]] = [[]]
+    used = 0
+    for row, lines in broken:
+        if used and used + len(lines) > most_lines:
+            parts.append([])
+            used = 0
+        parts[-1].append((row, lines))
+        used += len(lines)
+    return parts
 
 
-def _display(broken: list[tuple[Row, list[str]]], width: int) -> str:
+def _break_lines(shown: list[Row], width: int) -> list[BrokenRow]:
+    """Return each row with the lines of its right side, for equations that are aligned at their equals signs."""
+    left_width = measure_left_sides(shown)
+    return [(row, row.lines(width, left_width)) for row in shown]
+
+
+def _format_equations(broken: list[BrokenRow], width: int) -> str:
     """Return rows as left &= right, with long sums broken into lines; an operation follows its row or is below it."""
     equations = []
     for row, lines in broken:
-        below = " \\\\\n  &" if extent(lines[-1] + row.margin) > width else ""
+        below = " \\\\\n  &" if measure_width(lines[-1] + row.margin) > width else ""
         equations.append(f"  {row.left} &= " + " \\\\\n  &\\quad ".join(lines) + below + row.margin)
     return "\\begin{align*}\n" + " \\\\\n".join(equations) + "\n\\end{align*}\n"
 
@@ -201,22 +218,24 @@ def _markdown_section(number: int, step: Step, numbers: Numbers | None) -> str:
     return "\n\n".join([f"## {number}. {adapted.heading}", adapted.reason, *equations])
 
 
-def _symbols(route: Route) -> str:
+def _list_symbols(route: Route) -> str:
     """Return the list of symbols as Markdown."""
     entries = (f"- ${symbol}$: {meaning}" for symbol, meaning in nomenclature(route).items())
     return "\n".join([f"**{_SYMBOLS}**", "", *entries, "", DOTS])
 
 
-def _numbers_stated(numbers: Numbers | None) -> str:
-    return f"{stated(numbers)}\n\n" if numbers else ""
+def _number_paragraph(numbers: Numbers | None) -> str:
+    return f"{state_numbers(numbers)}\n\n" if numbers else ""
 
 
-def _assigned(numbers: Numbers) -> str:
+def _assign_numbers(numbers: Numbers) -> str:
     """Return the notebook line that assigns exact values to m, m′ and k, under their names in `BODIES`."""
     pairs = ", ".join(f'{symbol.name}: sp.sympify("{sp.sstr(value)}")' for symbol, value in numbers.exact.items())
     return f"values = {{{pairs}}}\nvalues"
 
 
 def _cell(key: str, kind: str, source: str) -> dict[str, object]:
-    more: dict[str, object] = {"execution_count": None, "outputs": []} if kind == "code" else {}
-    return {"cell_type": kind, "id": f"{key}-{kind}", "metadata": {}, "source": source, **more}
+    cell: dict[str, object] = {"cell_type": kind, "id": f"{key}-{kind}", "metadata": {}, "source": source}
+    if kind == "code":
+        cell |= {"execution_count": None, "outputs": []}
+    return cell

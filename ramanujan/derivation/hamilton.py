@@ -11,17 +11,17 @@ from ramanujan.derivation import model
 from ramanujan.derivation.model import COORDINATES, MOMENTA, VELOCITIES, M_e, M_x, Machine, R, equation, gather, phi, t
 from ramanujan.derivation.order import in_order
 from ramanujan.derivation.printers import latex
-from ramanujan.derivation.steps import ROUTES, Route, Step, blackboard, compare, insert, solve_for, step
+from ramanujan.derivation.steps import ROUTES, Route, Step, compare, insert, margin_text, solve_for, step
 from ramanujan.translation import _
 
 X_dot, phi_dot, Phi_dot = VELOCITIES
 p_phi = MOMENTA[COORDINATES.index(phi)]
 H_0 = sp.Symbol("H_0")
-"""The part of H that stays constant."""
+"""The constant part of H."""
 
 
 def legendre_transform(bodies: Machine) -> tuple[dict[sp.Expr, sp.Expr], dict[sp.Expr, sp.Expr], sp.Expr]:
-    """Return p = ∂ℒ/∂q̇ by momentum, its inverse q̇(p) by velocity, and H(q, p) = Σ p q̇ − ℒ.
+    """Return momentum → ∂ℒ/∂q̇, velocity → its expression in the momenta, and H(q, p) = Σ p q̇ − ℒ.
 
     >>> from ramanujan.derivation.model import machine
     >>> momenta, velocities, hamiltonian = legendre_transform(machine())
@@ -33,7 +33,8 @@ def legendre_transform(bodies: Machine) -> tuple[dict[sp.Expr, sp.Expr], dict[sp
     solved = sp.hessian(lagrangian, VELOCITIES).inv() * sp.Matrix(MOMENTA)
     velocities = {v: _one_fraction(value) for v, value in zip(VELOCITIES, solved, strict=True)}
     # T is quadratic in the velocities, so Σ p q̇ = 2T and Σ p q̇ − ℒ = ½ Σ p q̇ + U. No expansion is necessary.
-    kinetic = gather(sum(p * velocities[v] for p, v in zip(MOMENTA, VELOCITIES, strict=True)) / 2, MOMENTA)
+    twice_kinetic = sum(p * velocities[v] for p, v in zip(MOMENTA, VELOCITIES, strict=True))
+    kinetic = gather(twice_kinetic / 2, MOMENTA)
     # One term each for p_φ², p_φ and the products of the other momenta.
     square, linear, rest = (kinetic.coeff(p_phi, power) for power in (2, 1, 0))
     return momenta, velocities, square * p_phi**2 + sp.factor(linear) * p_phi + rest + bodies.potential_energy
@@ -47,8 +48,11 @@ def reduce_to_one_degree(hamiltonian: sp.Expr) -> tuple[sp.Expr, sp.Expr, sp.Exp
     (32*m**2 + 49*m*m_prime + 18*m_prime**2)/(2*(7*m + 6*m_prime))
     """
     constant = hamiltonian.subs(p_phi, 0).as_independent(phi, as_Add=True)[0]
-    square, linear = (hamiltonian.diff(p_phi, n).subs(p_phi, 0) / n for n in (2, 1))
-    effective_mass, shift = sp.factor(1 / (2 * square * R**2)), sp.factor(linear / (2 * square))
+    # Taylor coefficients in p_φ.
+    square = hamiltonian.diff(p_phi, 2) / 2
+    linear = hamiltonian.diff(p_phi).subs(p_phi, 0)
+    effective_mass = sp.factor(1 / (2 * square * R**2))
+    shift = sp.factor(linear / (2 * square))
     return effective_mass, shift, _one_fraction(constant - linear**2 / (4 * square))
 
 
@@ -175,9 +179,9 @@ def _reduction_step(constant: sp.Expr, effective_mass: sp.Expr, one_degree: sp.E
         equation(H_0, constant),
         marks=("right 1, right 3", "", ""),
         operations=(
-            blackboard(_("complete the square")),
+            margin_text(_("complete the square")),
             compare(p_phi**2),
-            blackboard(_("compare what is constant")),
+            margin_text(_("compare what is constant")),
         ),
     )
 
@@ -202,26 +206,28 @@ def _frequency_step(
 
 
 def _inversion(momenta: dict[sp.Expr, sp.Expr]) -> tuple[sp.Eq, ...]:
-    """Return the steps from p = Mq̇ to one equation for φ̇: each momentum's equation is solved and inserted."""
-    (p_X, p_phi, p_Phi), (X_dot, phi_dot, Phi_dot) = MOMENTA, VELOCITIES
-    (of_Phi,) = sp.solve(momenta[p_Phi] - p_Phi, Phi_dot)
-    without_Phi = momenta[p_X].subs(Phi_dot, of_Phi)
-    shift_X = without_Phi.subs({X_dot: 0, phi_dot: 0})
-    (of_X,) = sp.solve(without_Phi - p_X, X_dot)
-    without_X = momenta[p_phi].subs(X_dot, of_X)
-    shift_phi = without_X.subs(phi_dot, 0)
+    """Return the lines from p = Mq̇ to one equation for φ̇: the equations of p_Φ and p_X are solved and inserted."""
+    p_X, p_phi, p_Phi = MOMENTA
+    (solved_Phi_dot,) = sp.solve(momenta[p_Phi] - p_Phi, Phi_dot)
+    p_X_without_Phi = momenta[p_X].subs(Phi_dot, solved_Phi_dot)
+    (solved_X_dot,) = sp.solve(p_X_without_Phi - p_X, X_dot)
+    p_phi_without_X = momenta[p_phi].subs(X_dot, solved_X_dot)
+    # The terms without velocities are moved to the left side.
+    constant_of_X = p_X_without_Phi.subs({X_dot: 0, phi_dot: 0})
+    constant_of_phi = p_phi_without_X.subs(phi_dot, 0)
     return (
-        equation(Phi_dot, _one_fraction(of_Phi, VELOCITIES)),
-        equation(p_X - sp.factor(shift_X), gather(without_Phi - shift_X)),
-        equation(X_dot, _one_fraction(of_X, VELOCITIES)),
-        equation(p_phi - sp.factor(shift_phi), gather(without_X - shift_phi)),
+        equation(Phi_dot, _one_fraction(solved_Phi_dot, VELOCITIES)),
+        equation(p_X - sp.factor(constant_of_X), gather(p_X_without_Phi - constant_of_X)),
+        equation(X_dot, _one_fraction(solved_X_dot, VELOCITIES)),
+        equation(p_phi - sp.factor(constant_of_phi), gather(p_phi_without_X - constant_of_phi)),
     )
 
 
-def _one_fraction(form: sp.Expr, others: tuple[sp.Expr, ...] = ()) -> sp.Expr:
-    """Return a form in the momenta and other symbols over one denominator, with the terms of its numerator gathered."""
-    numerator, denominator = sp.fraction(sp.together(gather(form, MOMENTA + others)))
-    return gather(numerator, MOMENTA + others) / denominator
+def _one_fraction(polynomial: sp.Expr, others: tuple[sp.Expr, ...] = ()) -> sp.Expr:
+    """Return a polynomial in the momenta and other symbols over one denominator, with a gathered numerator."""
+    unknowns = MOMENTA + others
+    numerator, denominator = sp.fraction(sp.together(gather(polynomial, unknowns)))
+    return gather(numerator, unknowns) / denominator
 
 
 CELLS = {

@@ -10,7 +10,7 @@ from ramanujan.derivation.model import Omega_squared, epsilon, epsilon_star, equ
 from ramanujan.derivation.numbers import Numbers
 from ramanujan.derivation.order import in_order
 from ramanujan.derivation.printers import latex
-from ramanujan.derivation.steps import Step, blackboard, insert, solve_for, step
+from ramanujan.derivation.steps import Step, insert, margin_text, solve_for, step
 from ramanujan.number_theory import sums_of_two_cubes
 from ramanujan.translation import _
 
@@ -41,7 +41,7 @@ class RatioForms:
 
     Parameters
     ----------
-    numerator, terms : numerator of the fraction after the elimination; the terms of its denominator
+    numerator, terms : the numerator of the fraction after the elimination, and the three terms of its denominator
     condition : the quadratic in ε, its root and its discriminant
     """
 
@@ -61,16 +61,19 @@ class RatioForms:
         return rollers + coupling
 
     def difference_at(self, numbers: Numbers) -> sp.Expr:
-        """Return a number with the sign of the quadratic at the mass ratio of a machine."""
+        """Return a number with the sign of ε − ε* for a machine."""
         ratio = numbers.exact[m_prime] / numbers.exact[m]
-        return self.condition.quadratic.eval(ratio) if ratio.is_Rational else (ratio - self.condition.root).expand()
+        if ratio.is_Rational:
+            return self.condition.quadratic.eval(ratio)
+        return (ratio - self.condition.root).expand()
 
 
 def unit_steps(result: Elimination) -> tuple[Step, ...]:
-    """Return the three steps from Ω² to 1729; for one machine they state its distance from the condition."""
+    """Return the three steps from Ω² to 1729. With numbers they state a machine's distance from the condition."""
     numerator, terms = result.quotient
-    of_ratio = [sp.factor(part.subs(m_prime, epsilon * m)) for part in (numerator / k, *(term / m for term in terms))]
-    forms = RatioForms(of_ratio[0], tuple(of_ratio[1:]), unit_condition(result.natural_frequency_squared))
+    in_units_of_k = sp.factor((numerator / k).subs(m_prime, epsilon * m))
+    in_units_of_m = tuple(sp.factor((term / m).subs(m_prime, epsilon * m)) for term in terms)
+    forms = RatioForms(in_units_of_k, in_units_of_m, unit_condition(result.natural_frequency_squared))
     return _ratio_step(forms), _unit_step(forms), _root_step(forms)
 
 
@@ -85,7 +88,7 @@ def _ratio_step(forms: RatioForms) -> Step:
         equation(epsilon, RATIO),
         equation(Omega_squared * m / k, forms.numerator / in_order(*forms.terms)),
         equation(Omega_squared * m / k, forms.condition.normalized_frequency_squared),
-        operations=(_defined(), rf"\times {latex(m / k)}", blackboard(_("one fraction"))),
+        operations=(_defined(), rf"\times {latex(m / k)}", margin_text(_("one fraction"))),
     )
     equations = (
         equation(epsilon, RATIO),
@@ -97,8 +100,8 @@ def _ratio_step(forms: RatioForms) -> Step:
 
 def _unit_step(forms: RatioForms) -> Step:
     _plain, rollers, coupling = forms.terms
-    over, below = sp.fraction(coupling)
-    multiplied = in_order(sp.Mul(rollers, below, evaluate=False), over)
+    above, below = sp.fraction(coupling)
+    multiplied = in_order(sp.Mul(rollers, below, evaluate=False), above)
     general = step(
         "unit",
         _("Require exactly 1"),
@@ -114,23 +117,23 @@ def _unit_step(forms: RatioForms) -> Step:
         marks=("left 1, right 1", "", "", ""),
         operations=(
             rf"{latex(_NORMALIZED)} = 1",
-            blackboard(_("cancel {what}"), forms.numerator),
+            margin_text(_("cancel {what}"), forms.numerator),
             rf"\times \left({latex(below)}\right)",
-            blackboard(_("collect {what}"), epsilon),
+            margin_text(_("collect {what}"), epsilon),
         ),
     )
     sides = (forms.left_over, forms.quadratic)
     left = tuple(equation(side, sp.factor(side.subs(epsilon, RATIO))) for side in sides)
 
-    def residual(numbers: Numbers) -> Step:
-        """Return the condition with the value of its left side for one machine."""
-        reason = _side_of_the_condition(forms.difference_at(numbers))
+    def residual_step(numbers: Numbers) -> Step:
+        """Return the step with the value of the condition's left side for one machine."""
+        reason = _compare_with_plain_mass(forms.difference_at(numbers))
         return replace(general, reason=reason, equations=left, operations=(insert(epsilon),) * 2, marks=())
 
-    return replace(general, special=residual)
+    return replace(general, special=residual_step)
 
 
-def _side_of_the_condition(difference: sp.Expr) -> str:
+def _compare_with_plain_mass(difference: sp.Expr) -> str:
     """Return a sentence that compares a machine with a plain mass: in step, faster or slower."""
     if difference == 0:
         return _("For your $\\varepsilon$ the two terms cancel each other: the machine is in step with a plain mass.")
@@ -146,9 +149,9 @@ def _side_of_the_condition(difference: sp.Expr) -> str:
 
 
 def _root_step(forms: RatioForms) -> Step:
-    (a, b, c), square = forms.condition.quadratic.all_coeffs(), forms.condition.completed_square
-    sums = sums_of_two_cubes(int(forms.condition.discriminant))
-    paper_s, other = (in_order(*(sp.Pow(side, 3, evaluate=False) for side in reversed(pair))) for pair in sums)
+    a, b, c = forms.condition.quadratic.all_coeffs()
+    square = forms.condition.completed_square
+    paper_pair, other_pair = sums_of_two_cubes(int(forms.condition.discriminant))
     general = step(
         "root",
         _("Find the taxicab number"),
@@ -159,21 +162,25 @@ def _root_step(forms: RatioForms) -> Step:
         ),
         equation(forms.quadratic, sp.Integer(0)),
         equation(in_order(4 * a**2 * epsilon**2, 4 * a * b * epsilon), -4 * a * c),
-        equation(square.lhs, paper_s),
+        equation(square.lhs, _sum_of_cubes(*paper_pair)),
         square,
-        equation(square.lhs, other),
+        equation(square.lhs, _sum_of_cubes(*other_pair)),
         equation(epsilon, forms.condition.root),
         marks=("", "right 1", "left 1, right 2", "", "", ""),
         operations=(
-            blackboard(_("the quadratic")),
+            margin_text(_("the quadratic")),
             rf"\times {latex(4 * a)}",
             rf"+\,{latex(b**2)}",
-            blackboard(_("add the cubes")),
-            blackboard(_("two other cubes")),
+            margin_text(_("add the cubes")),
+            margin_text(_("two other cubes")),
             solve_for(epsilon),
         ),
     )
     return replace(general, special=lambda _numbers: _distance_step(general, forms.condition))
+
+
+def _sum_of_cubes(smaller: int, larger: int) -> sp.Expr:
+    return in_order(sp.Pow(larger, 3, evaluate=False), sp.Pow(smaller, 3, evaluate=False))
 
 
 def _distance_step(general: Step, condition: UnitCondition) -> Step:
@@ -195,4 +202,4 @@ def _distance_step(general: Step, condition: UnitCondition) -> Step:
 
 
 def _defined() -> str:
-    return blackboard(_("define {what}"), epsilon)
+    return margin_text(_("define {what}"), epsilon)

@@ -11,7 +11,7 @@ import sympy as sp
 
 from ramanujan.derivation.energies import energies_step
 from ramanujan.derivation.model import ACCELERATIONS, COORDINATES, VELOCITIES, Machine, Omega_squared, equation, gather
-from ramanujan.derivation.steps import ROUTES, Route, Step, blackboard, insert, solve_for, step
+from ramanujan.derivation.steps import ROUTES, Route, Step, insert, margin_text, solve_for, step
 from ramanujan.translation import _
 
 omega = sp.Symbol("omega", real=True)
@@ -42,7 +42,7 @@ class Modes:
 
 
 def modes(bodies: Machine) -> Modes:
-    """Return the matrices as second derivatives of the energies, and the modes that follow.
+    """Return the mass and stiffness matrices, which are second derivatives of the energies, and the modes.
 
     >>> from ramanujan.derivation.model import machine
     >>> modes(machine()).eigenvalues[sp.S.Zero]
@@ -52,19 +52,29 @@ def modes(bodies: Machine) -> Modes:
     stiffness = _second_derivatives(bodies.potential_energy, COORDINATES)
     squared = sp.Symbol("squared")
     determinant = sp.factor((stiffness - squared * mass).det())
+    gathered = [gather(factor, (squared,)) for factor in sp.Mul.make_args(determinant)]
     roots = sp.roots(determinant, squared)
+    zeros_first = sorted(roots, key=lambda root: root != 0)
     inverse = sp.ImmutableMatrix(mass.inv().applyfunc(sp.factor))
-    # For a rank-one K every oscillating mode is a multiple of M⁻¹e_φ; the rollers' share is set to one.
+    # For a rank-one K the oscillating mode is a multiple of M⁻¹e_φ. Its element φ is set to 1.
     column = inverse[:, _PHI]
     return Modes(
-        mass,
-        stiffness,
-        sp.Mul(*(gather(f, (squared,)) for f in sp.Mul.make_args(determinant))).subs(squared, omega**2),
-        {sp.factor(root): count for root, count in sorted(roots.items(), key=lambda root: root[0] != 0)},
-        inverse,
-        tuple(sp.ImmutableMatrix(vector) for vector in stiffness.nullspace()),
-        sp.ImmutableMatrix((column / column[_PHI]).applyfunc(sp.factor)),
+        mass_matrix=mass,
+        stiffness_matrix=stiffness,
+        determinant=sp.Mul(*gathered).subs(squared, omega**2),
+        eigenvalues={sp.factor(root): roots[root] for root in zeros_first},
+        inverse_mass_matrix=inverse,
+        zero_modes=tuple(sp.ImmutableMatrix(vector) for vector in stiffness.nullspace()),
+        mode_shape=sp.ImmutableMatrix((column / column[_PHI]).applyfunc(sp.factor)),
     )
+
+
+def list_eigenvalues(result: Modes) -> list[sp.Expr]:
+    """Return the three eigenvalues, each as often as its multiplicity."""
+    eigenvalues: list[sp.Expr] = []
+    for root, multiplicity in result.eigenvalues.items():
+        eigenvalues += [root] * multiplicity
+    return eigenvalues
 
 
 @ROUTES.add("matrix")
@@ -74,7 +84,7 @@ def build(bodies: Machine) -> Route:
     (oscillating,) = (root for root in result.eigenvalues if root != 0)
     q_ddot = sp.ImmutableMatrix(ACCELERATIONS)
     q = sp.ImmutableMatrix(COORDINATES)
-    eigenvalues = sp.Tuple(*(root for root, count in result.eigenvalues.items() for _i in range(count)))
+    eigenvalues = sp.Tuple(*list_eigenvalues(result))
     stiffness = result.stiffness_matrix[_PHI, _PHI]
     steps = (
         energies_step(
@@ -138,7 +148,7 @@ def _determinant_step(result: Modes) -> Step:
         ),
         equation(sp.Determinant(result.stiffness_matrix - omega**2 * result.mass_matrix), sp.S.Zero),
         equation(result.determinant, sp.S.Zero),
-        operations=(insert(r"q=v\cos\omega t"), blackboard(_("factor it"))),
+        operations=(insert(r"q=v\cos\omega t"), margin_text(_("factor it"))),
     )
 
 
@@ -152,7 +162,7 @@ def _spectrum_step(eigenvalues: sp.Tuple, oscillating: sp.Expr) -> Step:
         ),
         equation(sp.Tuple(*(each**2 for each in sp.symbols("omega_1:4"))), eigenvalues),
         equation(Omega_squared, oscillating),
-        operations=(solve_for(omega**2), blackboard(_("the third root"))),
+        operations=(solve_for(omega**2), margin_text(_("the third root"))),
     )
 
 
@@ -188,7 +198,7 @@ def _shortcut_step(result: Modes, stiffness: sp.Expr) -> Step:
         equation(_K, sp.MatMul(stiffness, _UNIT, _UNIT.T, evaluate=False)),
         equation(_M.I, result.inverse_mass_matrix),
         equation(Omega_squared, result.natural_frequency_squared),
-        operations=(blackboard(_("rank one")), blackboard(_("invert {what}"), _M), insert(_K, _M.I)),
+        operations=(margin_text(_("rank one")), margin_text(_("invert {what}"), _M), insert(_K, _M.I)),
     )
 
 

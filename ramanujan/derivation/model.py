@@ -100,7 +100,10 @@ class Machine:
     @property
     def kinetic_parts(self) -> tuple[sp.Expr, ...]:
         """Kinetic energies of translation and rotation [J], body by body."""
-        return tuple(part for body in self.bodies for part in (body.translation, body.rotation) if part != 0)
+        parts: list[sp.Expr] = []
+        for body in self.bodies:
+            parts += [body.translation, body.rotation]
+        return tuple(part for part in parts if part != 0)
 
     @property
     def kinetic_energy(self) -> sp.Expr:
@@ -145,20 +148,21 @@ def machine(
 
 
 def gather(expression: sp.Expr, unknowns: tuple[sp.Expr, ...] = ACCELERATIONS + VELOCITIES + COORDINATES) -> sp.Expr:
-    """Return a form quadratic in the motion with one term for each product of unknowns, its coefficient factored.
+    """Return a polynomial in the unknowns with one term for each product of unknowns, and with factored coefficients.
 
     >>> gather(m * X**2 + m_prime * X**2)
     (m + m_prime)*X(t)**2
     """
     polynomial = sp.Poly(expression, *unknowns, field=True)
-    return sp.Add(
-        *(sp.factor(coefficient) * sp.prod(u**n for u, n in zip(unknowns, powers, strict=True))
-          for powers, coefficient in polynomial.terms())
-    )  # fmt: skip
+    terms = []
+    for powers, coefficient in polynomial.terms():
+        unknowns_of_term = sp.prod(unknown**power for unknown, power in zip(unknowns, powers, strict=True))
+        terms.append(sp.factor(coefficient) * unknowns_of_term)
+    return sp.Add(*terms)
 
 
 def equation(left: sp.Expr | str, right: sp.Expr) -> sp.Eq:
-    """Return left = right unevaluated, so that a true equation does not become True; text becomes a symbol.
+    """Return left = right, unevaluated because SymPy evaluates an identity to True. A text becomes a symbol.
 
     >>> equation("v", sp.Integer(2)).lhs
     v

@@ -24,17 +24,17 @@ from dataclasses import dataclass
 import sympy as sp
 
 from ramanujan.derivation import model
-from ramanujan.derivation.energies import PARTS, rolled
+from ramanujan.derivation.energies import PARTS, velocity_reason
 from ramanujan.derivation.model import ACCELERATIONS, Body, Machine, R, equation, gather, k, machine, phi, t
 from ramanujan.derivation.printers import latex
-from ramanujan.derivation.steps import ROUTES, Route, Step, blackboard, compare, insert, solve_for, step
+from ramanujan.derivation.steps import ROUTES, Route, Step, compare, insert, margin_text, solve_for, step
 from ramanujan.translation import _
 
 TOP, BOTTOM = 1, -1
 X_ddot, phi_ddot, Phi_ddot = ACCELERATIONS
 
 
-def _in_time(name: str) -> sp.Expr:
+def _function_of_time(name: str) -> sp.Expr:
     return sp.Function(name)(t)
 
 
@@ -61,17 +61,17 @@ class Contact:
 
 
 CONTACTS = (
-    Contact("hoop", "slab", TOP, _in_time("S_hoop")),
-    Contact("cylinder", "slab", TOP, _in_time("S_cylinder")),
-    Contact("hoop", "block", BOTTOM, _in_time("F_hoop")),
-    Contact("cylinder", "block", BOTTOM, _in_time("F_cylinder")),
-    Contact("top", "block", BOTTOM, _in_time("F_top")),
+    Contact("hoop", "slab", TOP, _function_of_time("S_hoop")),
+    Contact("cylinder", "slab", TOP, _function_of_time("S_cylinder")),
+    Contact("hoop", "block", BOTTOM, _function_of_time("F_hoop")),
+    Contact("cylinder", "block", BOTTOM, _function_of_time("F_cylinder")),
+    Contact("top", "block", BOTTOM, _function_of_time("F_top")),
 )
 
 
 @dataclass(frozen=True)
 class FreeBodies:
-    """The thirteen equations in three groups, and their solution: each unknown in terms of the angle φ."""
+    """The bodies drawn apart: thirteen equations in three groups, and their solution, unknown → in terms of φ."""
 
     rollers: tuple[Body, ...]
     forces: tuple[sp.Eq, ...]
@@ -82,33 +82,32 @@ class FreeBodies:
 
 def acceleration(name: str) -> sp.Expr:
     """Return a body's acceleration relative to the ground, to the right [m/s²]."""
-    return _in_time(f"a_{name}")
+    return _function_of_time(f"a_{name}")
 
 
 def angular_acceleration(name: str) -> sp.Expr:
     """Return a roller's angular acceleration, clockwise [rad/s²]."""
-    return _in_time(f"alpha_{name}")
+    return _function_of_time(f"alpha_{name}")
 
 
-def free_bodies(bodies: Machine) -> FreeBodies:
+def solve_free_bodies(bodies: Machine) -> FreeBodies:
     """Return the balances of the five bodies, the five rolling constraints, and their solution.
 
-    >>> len(free_bodies(machine()).solution)
+    >>> len(solve_free_bodies(machine()).solution)
     13
     """
     rollers = tuple(body for body in bodies.bodies if body.angle != 0)
     forces = tuple(_force_balance(body, bodies) for body in bodies.bodies)
     torques = tuple(_torque_balance(body) for body in rollers)
-    rolling = tuple(_rolling(contact) for contact in CONTACTS)
+    rolling = tuple(_rolling_constraint(contact) for contact in CONTACTS)
     unknowns = [
         *(acceleration(body.name) for body in bodies.bodies),
         *(angular_acceleration(body.name) for body in rollers),
         *(contact.force for contact in CONTACTS),
     ]
     solution = sp.solve(forces + torques + rolling, unknowns)
-    return FreeBodies(
-        rollers, forces, torques, rolling, {unknown: sp.factor(solution[unknown]) for unknown in unknowns}
-    )
+    factored = {unknown: sp.factor(solution[unknown]) for unknown in unknowns}
+    return FreeBodies(rollers, forces, torques, rolling, factored)
 
 
 def contact_forces(bodies: Machine | None = None) -> dict[str, sp.Expr]:
@@ -120,8 +119,8 @@ def contact_forces(bodies: Machine | None = None) -> dict[str, sp.Expr]:
     >>> contact_forces()["top_block"]
     -2*R*m*(m + m_prime)*Derivative(varphi(t), (t, 2))/(7*m + 6*m_prime)
     """
-    solution = free_bodies(bodies or machine()).solution
-    return {contact.name: _by_acceleration(contact, solution) for contact in CONTACTS}
+    solution = solve_free_bodies(bodies or machine()).solution
+    return {contact.name: _in_terms_of_phi(contact, solution) for contact in CONTACTS}
 
 
 def spring_forces(bodies: Machine) -> dict[str, sp.Expr]:
@@ -149,20 +148,25 @@ def normal_forces(bodies: Machine, spacing: sp.Expr, g: sp.Expr) -> dict[str, sp
     g*m*(L - 2*R*varphi(t))/(2*L)
     """
     on_hoop, on_cylinder = sp.symbols("N_hoop N_cylinder")
-    ahead = bodies["slab"].displacement - bodies["hoop"].displacement
-    vertical = on_hoop + on_cylinder - bodies["slab"].mass * g
-    moments = on_hoop * (spacing / 2 + ahead) - on_cylinder * (spacing / 2 - ahead)
-    carried = sp.solve((vertical, moments), (on_hoop, on_cylinder))
-    loads = {"hoop": carried[on_hoop], "cylinder": carried[on_cylinder], "top": sp.S.Zero}
-    own = {contact.name: bodies[contact.roller].mass * g if contact.side == BOTTOM else 0 for contact in CONTACTS}
-    return {contact.name: sp.factor(loads[contact.roller] + own[contact.name]) for contact in CONTACTS}
+    # The displacement of the middle of the slab relative to the axes of the rollers.
+    shift = bodies["slab"].displacement - bodies["hoop"].displacement
+    vertical_forces = on_hoop + on_cylinder - bodies["slab"].mass * g
+    moments = on_hoop * (spacing / 2 + shift) - on_cylinder * (spacing / 2 - shift)
+    solved = sp.solve((vertical_forces, moments), (on_hoop, on_cylinder))
+    load_on_roller = {"hoop": solved[on_hoop], "cylinder": solved[on_cylinder], "top": sp.S.Zero}
+    result = {}
+    for contact in CONTACTS:
+        # The block also carries the weight of the roller.
+        weight = bodies[contact.roller].mass * g if contact.side == BOTTOM else 0
+        result[contact.name] = sp.factor(load_on_roller[contact.roller] + weight)
+    return result
 
 
 def floor_lever(bodies: Machine, g: sp.Expr) -> sp.Expr:
-    """Return the distance, to the right, of the floor's resultant normal force from the centre of mass [m].
+    """Return the lever of the floor's resultant normal force about the centre of mass, positive to the right [m].
 
-    The floor has no friction. The clockwise torques of floor and weights about a point of the floor change the angular
-    momentum:
+    The floor has no friction. The clockwise torque of its force and of the weights about a point of the floor is the
+    rate of the angular momentum:
 
         −lever · Σ mg = Σ (m · height · ẍ + I θ̈)
 
@@ -174,47 +178,58 @@ def floor_lever(bodies: Machine, g: sp.Expr) -> sp.Expr:
     g : gravitational acceleration [m/s²]
     """
     height = {body.name: sp.Symbol(f"height_{body.name}", positive=True) for body in bodies.bodies}
-    rate = sum(
-        body.mass * height[body.name] * body.displacement.diff(t, 2) + body.moment_of_inertia * body.angle.diff(t, 2)
-        for body in bodies.bodies
-    )
-    return -rate / (g * sum(body.mass for body in bodies.bodies))
+    rate = total_mass = sp.S.Zero
+    for body in bodies.bodies:
+        rate += body.mass * height[body.name] * body.displacement.diff(t, 2)
+        rate += body.moment_of_inertia * body.angle.diff(t, 2)
+        total_mass += body.mass
+    return -rate / (g * total_mass)
 
 
 @ROUTES.add("newton")
 def build(bodies: Machine) -> Route:
     """Return the route: balances, rolling, solution, contact forces, Ω²."""
-    cut = free_bodies(bodies)
-    roller = angular_acceleration("hoop")
-    frequency = sp.factor(-cut.solution[roller] / phi)
+    free_bodies = solve_free_bodies(bodies)
+    solved_phi_ddot = free_bodies.solution[angular_acceleration("hoop")]
+    frequency = sp.factor(-solved_phi_ddot / phi)
     centres = {acceleration(body.name): body.displacement.diff(t, 2) for body in bodies.bodies}
-    of_coordinates = centres | {angular_acceleration(body.name): body.angle.diff(t, 2) for body in cut.rollers}
-    of_rollers = [e for e in cut.forces if e.lhs.has(*map(acceleration, ("hoop", "cylinder")))]
-    left_over = [e for e in cut.forces if e not in of_rollers]
-    solved = sp.solve((*of_rollers, *cut.torques), [contact.force for contact in CONTACTS])
-    friction = {contact.force: sp.expand(solved[contact.force]) for contact in CONTACTS}
-    in_three = {*centres, *friction}
-    three = [tuple(gather(e.subs(friction).subs(of_coordinates)) for e in relation.args) for relation in left_over]
-    block, slab, top = (left - right for left, right in three)
-    both = gather(-(block + slab))
-    (Phi_from_X,) = sp.solve(top, Phi_ddot)
-    without_Phi = gather(both.subs(Phi_ddot, Phi_from_X))
+    rotations = {angular_acceleration(body.name): body.angle.diff(t, 2) for body in free_bodies.rollers}
+    friction = _solve_friction(free_bodies)
+    balances = dict(zip((body.name for body in bodies.bodies), free_bodies.forces, strict=True))
+    remaining = {name: balances[name] for name in ("block", "slab", "top")}
+    in_coordinates = {}
+    for name, balance in remaining.items():
+        left, right = (gather(side.subs(friction).subs(centres | rotations)) for side in balance.args)
+        in_coordinates[name] = equation(left, right)
+    difference = {name: balance.lhs - balance.rhs for name, balance in in_coordinates.items()}
+    without_spring = gather(-(difference["block"] + difference["slab"]))
+    (Phi_from_X,) = sp.solve(difference["top"], Phi_ddot)
+    without_Phi = gather(without_spring.subs(Phi_ddot, Phi_from_X))
     (X_from_phi,) = sp.solve(without_Phi, X_ddot)
+    of_phi = gather(difference["slab"].subs(X_ddot, X_from_phi))
     steps = (
-        _rolling_step(cut),
-        _forces_step(cut),
-        _torques_step(cut),
+        _rolling_step(free_bodies),
+        _forces_step(free_bodies),
+        _torques_step(free_bodies),
         _accelerations_step(bodies, centres),
         _friction_step(friction),
-        _three_step(in_three, left_over, three),
-        _solution_step(Phi_from_X, X_from_phi, both, without_Phi),
-        _contact_step(cut),
-        _frequency_step(cut, X_from_phi, frequency, roller, slab),
+        _three_step({*centres, *friction}, remaining, in_coordinates),
+        _solution_step(Phi_from_X, X_from_phi, without_spring, without_Phi),
+        _contact_step(free_bodies),
+        _frequency_step(of_phi, solved_phi_ddot, frequency),
     )
     return Route("newton", _("Newton"), steps, frequency, CELLS)
 
 
-def _rolling_step(cut: FreeBodies) -> Step:
+def _solve_friction(free_bodies: FreeBodies) -> dict[sp.Expr, sp.Expr]:
+    """Return the friction forces in terms of the accelerations of the rollers."""
+    lower_rollers = [acceleration("hoop"), acceleration("cylinder")]
+    balances = [balance for balance in free_bodies.forces if balance.lhs.has(*lower_rollers)]
+    solved = sp.solve((*balances, *free_bodies.torques), [contact.force for contact in CONTACTS])
+    return {contact.force: sp.expand(solved[contact.force]) for contact in CONTACTS}
+
+
+def _rolling_step(free_bodies: FreeBodies) -> Step:
     return step(
         "rolling",
         _("Write down the rolling conditions"),
@@ -223,16 +238,16 @@ def _rolling_step(cut: FreeBodies) -> Step:
             "their accelerations. A roller whose centre has the acceleration $a$ has $a+R\\alpha$ at its top and "
             "$a-R\\alpha$ at its bottom."
         ),
-        *cut.rolling,
-        *(equation(angular_acceleration(body.name), body.angle.diff(t, 2)) for body in cut.rollers),
+        *free_bodies.rolling,
+        *(equation(angular_acceleration(body.name), body.angle.diff(t, 2)) for body in free_bodies.rollers),
         operations=(
-            *(blackboard(_("rolling without slipping")) for _contact in cut.rolling),
-            *(rf"\tfrac{{d^2}}{{dt^2}}{latex(body.angle)}" for body in cut.rollers),
+            *(margin_text(_("rolling without slipping")) for _contact in free_bodies.rolling),
+            *(rf"\tfrac{{d^2}}{{dt^2}}{latex(body.angle)}" for body in free_bodies.rollers),
         ),
     )
 
 
-def _forces_step(cut: FreeBodies) -> Step:
+def _forces_step(free_bodies: FreeBodies) -> Step:
     return step(
         "forces",
         _("Apply Newton’s second law to each body"),
@@ -242,12 +257,12 @@ def _forces_step(cut: FreeBodies) -> Step:
             "rollers have turned by $\\varphi$, the slab has moved by $2R\\varphi$ relative to the block. This "
             "compresses the spring, which pushes the two apart."
         ),
-        *cut.forces,
-        operations=tuple(r"ma=\textstyle\sum F" for _body in cut.forces),
+        *free_bodies.forces,
+        operations=tuple(r"ma=\textstyle\sum F" for _body in free_bodies.forces),
     )
 
 
-def _torques_step(cut: FreeBodies) -> Step:
+def _torques_step(free_bodies: FreeBodies) -> Step:
     return step(
         "torques",
         _("Apply the law of torques to each roller"),
@@ -256,8 +271,8 @@ def _torques_step(cut: FreeBodies) -> Step:
             "clockwise, at its bottom anticlockwise. Weights and normal forces act along lines through the axis, "
             "so they have no torque."
         ),
-        *cut.torques,
-        operations=tuple(r"I\alpha=\textstyle\sum\pm RF" for _body in cut.torques),
+        *free_bodies.torques,
+        operations=tuple(r"I\alpha=\textstyle\sum\pm RF" for _body in free_bodies.torques),
     )
 
 
@@ -270,7 +285,7 @@ def _accelerations_step(bodies: Machine, centres: dict[sp.Expr, sp.Expr]) -> Ste
             "bodies follow from those of the three coordinates."
         ),
         *(equation(symbol, value) for symbol, value in centres.items()),
-        operations=tuple(rolled(body, "^2") for body in bodies.bodies),
+        operations=tuple(velocity_reason(body, "^2") for body in bodies.bodies),
     )
 
 
@@ -284,29 +299,30 @@ def _friction_step(friction: dict[sp.Expr, sp.Expr]) -> Step:
             "torque determines."
         ),
         *(equation(force, value) for force, value in friction.items()),
-        operations=tuple(
-            rf"\div \left({latex(contact.side * R)}\right)"
-            if contact.roller == "top"
-            else blackboard(_("half the sum") if contact.side == TOP else _("half the difference"))
-            for contact in CONTACTS
-        ),
+        operations=tuple(map(_friction_operation, CONTACTS)),
     )
 
 
-def _three_step(in_three: set[sp.Expr], left_over: list[sp.Eq], three: list[tuple[sp.Expr, ...]]) -> Step:
+def _friction_operation(contact: Contact) -> str:
+    if contact.roller == "top":
+        return rf"\div \left({latex(contact.side * R)}\right)"
+    return margin_text(_("half the sum") if contact.side == TOP else _("half the difference"))
+
+
+def _three_step(known: set[sp.Expr], remaining: dict[str, sp.Eq], in_coordinates: dict[str, sp.Eq]) -> Step:
+    # An operation lists the letters of the inserted symbols, such as a and F.
+    letters = [sorted({str(symbol)[0] for symbol in e.atoms(sp.Function) & known}) for e in remaining.values()]
     return step(
         "three",
         _("Insert both into the three equations that are left"),
         _("Newton’s second law for block, slab and top cylinder has not been used yet."),
-        *(equation(left, right) for left, right in three),
-        labels=tuple(rf"\text{{{PARTS[name]}}}" for name in ("block", "slab", "top")),
-        operations=tuple(
-            insert(*sorted({str(f)[0] for f in each.atoms(sp.Function) & in_three})) for each in left_over
-        ),
+        *in_coordinates.values(),
+        labels=tuple(rf"\text{{{PARTS[name]}}}" for name in in_coordinates),
+        operations=tuple(insert(*of_balance) for of_balance in letters),
     )
 
 
-def _solution_step(Phi_from_X: sp.Expr, X_from_phi: sp.Expr, both: sp.Expr, without_Phi: sp.Expr) -> Step:
+def _solution_step(Phi_from_X: sp.Expr, X_from_phi: sp.Expr, without_spring: sp.Expr, without_Phi: sp.Expr) -> Step:
     return step(
         "solution",
         _("Eliminate the block and the top cylinder"),
@@ -315,14 +331,14 @@ def _solution_step(Phi_from_X: sp.Expr, X_from_phi: sp.Expr, both: sp.Expr, with
             "cancels. Insert $\\ddot\\Phi$ into it and solve for $\\ddot X$."
         ),
         equation(Phi_ddot, Phi_from_X),
-        equation(both, sp.S.Zero),
+        equation(without_spring, sp.S.Zero),
         equation(without_Phi, sp.S.Zero),
         equation(X_ddot, sp.factor(X_from_phi)),
         equation(Phi_ddot, sp.factor(Phi_from_X.subs(X_ddot, X_from_phi))),
         marks=("", "left 1, left 2", "left 1", "", ""),
         operations=(
             solve_for(Phi_ddot),
-            blackboard(_("add both")),
+            margin_text(_("add both")),
             insert(Phi_ddot),
             solve_for(X_ddot),
             insert(X_ddot),
@@ -330,7 +346,7 @@ def _solution_step(Phi_from_X: sp.Expr, X_from_phi: sp.Expr, both: sp.Expr, with
     )
 
 
-def _contact_step(cut: FreeBodies) -> Step:
+def _contact_step(free_bodies: FreeBodies) -> Step:
     return step(
         "contact",
         _("Look at the friction forces"),
@@ -338,18 +354,12 @@ def _contact_step(cut: FreeBodies) -> Step:
             "Insert these accelerations into the friction forces. Each is proportional to $\\ddot\\varphi$, so all "
             "five are largest at the turning points of $\\varphi$."
         ),
-        *(equation(contact.force, _by_acceleration(contact, cut.solution)) for contact in CONTACTS),
+        *(equation(contact.force, _in_terms_of_phi(contact, free_bodies.solution)) for contact in CONTACTS),
         operations=tuple(insert(X_ddot, Phi_ddot) for _contact in CONTACTS),
     )
 
 
-def _frequency_step(
-    cut: FreeBodies,
-    X_from_phi: sp.Expr,
-    frequency: sp.Expr,
-    roller: sp.Expr,
-    slab: sp.Expr,
-) -> Step:
+def _frequency_step(of_phi: sp.Expr, solved_phi_ddot: sp.Expr, frequency: sp.Expr) -> Step:
     return step(
         "frequency",
         _("Read off the frequency"),
@@ -357,8 +367,8 @@ def _frequency_step(
             "Insert $\\ddot X$ into the equation of the slab. This gives the equation of a harmonic oscillator, "
             "$\\ddot\\varphi+\\Omega^2\\varphi=0$."
         ),
-        equation(gather(slab.subs(X_ddot, X_from_phi)), sp.S.Zero),
-        equation(phi_ddot, cut.solution[roller]),
+        equation(of_phi, sp.S.Zero),
+        equation(phi_ddot, solved_phi_ddot),
         equation(model.Omega_squared, frequency),
         marks=("left 1", "", ""),
         operations=(insert(X_ddot), solve_for(phi_ddot), compare(phi)),
@@ -382,12 +392,13 @@ def _torque_balance(body: Body) -> sp.Eq:
     return equation(body.moment_of_inertia * angular_acceleration(body.name), torque)
 
 
-def _rolling(contact: Contact) -> sp.Eq:
+def _rolling_constraint(contact: Contact) -> sp.Eq:
     at_contact = acceleration(contact.roller) + contact.side * R * angular_acceleration(contact.roller)
     return equation(at_contact, acceleration(contact.other))
 
 
-def _by_acceleration(contact: Contact, solution: dict[sp.Expr, sp.Expr]) -> sp.Expr:
+def _in_terms_of_phi(contact: Contact, solution: dict[sp.Expr, sp.Expr]) -> sp.Expr:
+    """Return the friction of a contact as a multiple of φ̈."""
     return sp.factor(solution[contact.force] / solution[angular_acceleration("hoop")]) * phi.diff(t, 2)
 
 

@@ -18,7 +18,7 @@ _MACHINE = {
     model.k: _("stiffness of the spring [N/m]"),
     model.R: _("radius of the three rolling bodies [m]"),
 }
-"""The symbols of every route."""
+"""The symbols of the machine, which are in the list of every route."""
 
 _OTHERS = {
     sp.Symbol("v_body"): _("velocity of the centre of a body relative to the ground, positive to the right [m/s]"),
@@ -69,9 +69,12 @@ def nomenclature(route: Route) -> dict[str, str]:
     >>> list(nomenclature(ROUTES["energy"]))[:4]
     ['X', '\\\\varphi', '\\\\Phi', 'm']
     """
-    every_step = (*route.steps, *(step.for_numbers(Numbers(1.0, 1.0, 1.0)) for step in route.steps))
-    kinds = (sp.Symbol, AppliedUndef, sp.MatrixSymbol)
-    present = {_name(atom) for step in every_step for equation in step.equations for atom in equation.atoms(*kinds)}
+    present = set()
+    for step in route.steps:
+        # A step with numbers may have other symbols. Which numbers does not matter.
+        for variant in (step, step.for_numbers(Numbers(1.0, 1.0, 1.0))):
+            for equation in variant.equations:
+                present |= {_name(atom) for atom in equation.atoms(sp.Symbol, AppliedUndef, sp.MatrixSymbol)}
     others = {symbol: meaning for symbol, meaning in _OTHERS.items() if _name(symbol) in present}
     return {latex(symbol): meaning for symbol, meaning in (_MACHINE | others).items()}
 

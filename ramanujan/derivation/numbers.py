@@ -8,18 +8,17 @@ from dataclasses import dataclass, fields, replace
 from decimal import Decimal
 from fractions import Fraction
 from functools import cache, cached_property
-from itertools import count
+from itertools import chain, count
 from math import prod
 from typing import Any
 
 import sympy as sp
 from sympy.utilities.iterables import sift
 
-from ramanujan.derivation import model
 from ramanujan.derivation.elimination import UnitCondition, eliminate, unit_condition
 from ramanujan.derivation.model import k, m, m_prime, machine
 from ramanujan.derivation.order import InOrder, in_order, ordered_terms
-from ramanujan.derivation.printers import DIGITS, Number, decimal_of, latex, rounded
+from ramanujan.derivation.printers import DIGITS, QuadraticNumber, format_decimal, latex, round_number
 from ramanujan.numerals import in_latex
 from ramanujan.translation import _
 
@@ -62,10 +61,14 @@ class Numbers:
         >>> Numbers(1.85, 5 / 6, 33.5).exact
         {m: 37/20, m_prime: 5/6, k: 67/2}
         """
-        read = {getattr(model, field.name): _entered(getattr(self, field.name)) for field in fields(self)}
+        exact: dict[sp.Symbol, sp.Expr] = {
+            m: _read_float(self.m),
+            m_prime: _read_float(self.m_prime),
+            k: _read_float(self.k),
+        }
         if is_unit_ratio(self.m, self.m_prime):
-            read[m_prime] = unit_frequency_condition().root * read[m]
-        return read
+            exact[m_prime] = unit_frequency_condition().root * exact[m]
+        return exact
 
     def insert_into(self, expression: sp.Basic) -> sp.Basic:
         """Return an expression with the numbers instead of m, m′ and k, and with the same order of terms.
@@ -76,7 +79,8 @@ class Numbers:
         ----------
         expression : an expression, a matrix or a tuple
 
-        >>> Numbers(2, 1, 3).insert_into(m * model.R * model.X + 4 * k * (m + m_prime) * model.phi)
+        >>> from ramanujan.derivation.model import R, X, phi
+        >>> Numbers(2, 1, 3).insert_into(m * R * X + 4 * k * (m + m_prime) * phi)
         2*R*X(t) + 36*varphi(t)
         """
         if expression.free_symbols.isdisjoint(GIVEN):
@@ -84,38 +88,42 @@ class Numbers:
         if _is_number(expression):
             return self.value(expression)
         if expression.is_Add:
-            return in_order(*(part for parts in self.terms(expression) for part in parts))
+            return in_order(*chain.from_iterable(self.terms(expression)))
         if expression.is_Mul:
             return self._insert_into_product(expression)
         return expression.func(*map(self.insert_into, expression.args))
 
     def terms(self, total: sp.Basic) -> list[tuple[sp.Basic, ...]]:
-        """Return the terms of a sum with the numbers inserted, and with brackets after a number multiplied out."""
+        """Return the terms of a sum with the numbers inserted.
+
+        A number before a bracket is multiplied into it. Such a term has several parts.
+        """
         if _is_number(total):
             return [(self.value(total),)]
-        filled = map(self.insert_into, ordered_terms(total))
-        return [term.args if isinstance(term, InOrder) else (term,) for term in filled]
+        inserted = map(self.insert_into, ordered_terms(total))
+        return [term.args if isinstance(term, InOrder) else (term,) for term in inserted]
 
     def value(self, expression: sp.Expr) -> sp.Expr:
         """Return the value of a rational function of m, m′ and k, exactly; m′ may contain a square root."""
         value = expression.xreplace(self.exact)
-        return value if value.is_Rational else _with_one_root(value)
+        return value if value.is_Rational else _simplify_root(value)
 
     def _insert_into_product(self, expression: sp.Mul) -> sp.Expr:
-        """Return a product with the numbers inserted; a factor or denominator of a sum is multiplied into its terms."""
+        """Return a product with the numbers inserted. Number and denominator are multiplied into the first bracket."""
         numbers, others = sift(expression.args, _is_number, binary=True)
         sums = [factor for factor in others if factor.is_Add]
         if not numbers or not sums:
             number = [self.value(sp.Mul(*numbers))] if numbers else []
             return expression.func(*number, *map(self.insert_into, others))
-        others.remove(sums[0])
+        bracket = sums[0]
+        others.remove(bracket)
         below, others = sift(others, lambda factor: factor.is_Pow and factor.exp.is_negative, binary=True)
-        distributed = sp.Add(*(sp.Mul(*numbers, term, *below) for term in sums[0].args))
+        distributed = sp.Add(*(sp.Mul(*numbers, term, *below) for term in bracket.args))
         return self.insert_into(sp.Mul(distributed, *others))
 
 
-def _with_one_root(number: sp.Expr) -> sp.Expr:
-    """Return a number with fractions and one square root as p + r√n; `radsimp` is thirty times as slow."""
+def _simplify_root(number: sp.Expr) -> sp.Expr:
+    """Return a number with fractions and one square root as p + r√n. SymPy's `radsimp` takes thirty times as long."""
     (root,) = {power for power in number.atoms(sp.Pow) if power.exp == sp.Rational(1, 2)}
     field = _field(root)
 
@@ -138,14 +146,14 @@ def _field(root: sp.Pow) -> Any:
 
 
 def _is_number(expression: sp.Basic) -> bool:
-    """Return whether the expression is a rational function of only m, m′ and k, and not a sum made by `in_order`."""
+    """Return whether the expression is a rational function of only m, m′ and k. A sum made by `in_order` is not."""
     if expression.is_Symbol:
         return expression in GIVEN
     if isinstance(expression, InOrder):
         return False
-    return bool(expression.is_Rational) or (
-        isinstance(expression, sp.Add | sp.Mul | sp.Pow) and all(map(_is_number, expression.args))
-    )
+    if isinstance(expression, sp.Add | sp.Mul | sp.Pow):
+        return all(map(_is_number, expression.args))
+    return bool(expression.is_Rational)
 
 
 def is_unit_ratio(mass: float, roller_mass: float) -> bool:
@@ -168,17 +176,17 @@ def is_unit_ratio(mass: float, roller_mass: float) -> bool:
 
 @cache
 def _root() -> Fraction:
-    """Return ε* to fifty digits, with no float and no midpoint of two floats between the result and ε*."""
+    """Return ε* to fifty digits, which suffices to round products with floats correctly."""
     return Fraction(str(sp.N(unit_frequency_condition().root, 50)))
 
 
-def stated(numbers: Numbers) -> str:
+def state_numbers(numbers: Numbers) -> str:
     """Return a sentence with the masses and the stiffness of a derivation with numbers, as Markdown with $…$.
 
-    >>> print(stated(Numbers(1.85, 0.86, 33.5)))
+    >>> print(state_numbers(Numbers(1.85, 0.86, 33.5)))
     The numbers are for $m=1.85\\,\\mathrm{kg}$, $m'=0.86\\,\\mathrm{kg}$ and $k=33.5\\,\\mathrm{N/m}$, in SI units.
     """
-    mass, roller_mass, stiffness = (as_typed(numbers.exact[symbol]) for symbol in (m, m_prime, k))
+    mass, roller_mass, stiffness = (format_as_typed(numbers.exact[symbol]) for symbol in (m, m_prime, k))
     sentence = _("The numbers are for {mass}, {roller_mass} and {stiffness}, in SI units.").format(
         mass=rf"$m={mass}\,\mathrm{{kg}}$",
         roller_mass=rf"$m'={roller_mass}\,\mathrm{{kg}}$",
@@ -190,10 +198,10 @@ def stated(numbers: Numbers) -> str:
     return f"{sentence} {nearest}"
 
 
-def as_typed(value: sp.Expr) -> str:
+def format_as_typed(value: sp.Expr) -> str:
     """Return a number of the machine as LaTeX, as a decimal if it has few decimal places.
 
-    >>> as_typed(sp.Rational(27, 25)), as_typed(sp.Rational(5, 6))
+    >>> format_as_typed(sp.Rational(27, 25)), format_as_typed(sp.Rational(5, 6))
     ('1.08', '\\\\frac{5}{6}')
     """
     if value.is_Rational and value.q > 1 and 10**15 % value.q == 0:
@@ -201,10 +209,10 @@ def as_typed(value: sp.Expr) -> str:
     return latex(value)
 
 
-def with_decimal(value: sp.Expr, digits: int = 5) -> str:
-    """Return a number as LaTeX, and its decimal with a few digits, or with enough digits to differ from 1.
+def format_with_decimal(value: sp.Expr, digits: int = 5) -> str:
+    """Return a number as LaTeX, with its decimal. It has at least `digits` digits, and enough of them to differ from 1.
 
-    >>> print(with_decimal(sp.Rational(9, 8)), "and", with_decimal(sp.sqrt(2)))
+    >>> print(format_with_decimal(sp.Rational(9, 8)), "and", format_with_decimal(sp.sqrt(2)))
     \\frac{9}{8} = 1.125 and \\sqrt{2} \\approx 1.4142
     """
     exact = latex(sp.factor(value))
@@ -212,11 +220,11 @@ def with_decimal(value: sp.Expr, digits: int = 5) -> str:
         return exact
     if not value.is_Rational:
         return rf"{exact} \approx {in_latex(f'{float(value):.{digits}g}')}"
-    fraction = Number(value.p, value.q)
-    needed = next(digits for digits in count(digits) if rounded(fraction, digits) != "1")
+    fraction = QuadraticNumber(value.p, value.q)
+    needed = next(digits for digits in count(digits) if round_number(fraction, digits) != "1")
     # A long fraction is written as a decimal anyway.
     is_complete = exact.endswith(r"\ldots") and needed <= DIGITS
-    return exact if is_complete else f"{exact} {decimal_of(fraction, needed)}"
+    return exact if is_complete else f"{exact} {format_decimal(fraction, needed)}"
 
 
 @cache
@@ -225,12 +233,15 @@ def unit_frequency_condition() -> UnitCondition:
     return unit_condition(eliminate(machine()).natural_frequency_squared)
 
 
-def _entered(value: float) -> sp.Rational:
-    """Return a float as a decimal; if it uses all digits, return the simple fraction with this float, if one exists.
+def _read_float(value: float) -> sp.Rational:
+    """Return the number that a person entered: the simple fraction nearest to a float, or its shortest decimal.
 
-    Floats outnumber simple fractions by a factor of a million, so a measured decimal hardly ever matches a fraction.
+    A fraction such as 5/6 needs all digits of a float. Floats outnumber simple fractions by a factor of a million, so a
+    measured decimal hardly ever equals a fraction.
     """
-    text = repr(float(value))
+    decimal = repr(float(value))
     simple = Fraction(value).limit_denominator(_SIMPLE)
-    fills = len(Decimal(text).as_tuple().digits) >= _DIGITS_OF_A_FLOAT
-    return sp.Rational(simple.numerator, simple.denominator) if fills and float(simple) == value else sp.Rational(text)
+    has_all_digits = len(Decimal(decimal).as_tuple().digits) >= _DIGITS_OF_A_FLOAT
+    if has_all_digits and float(simple) == value:
+        return sp.Rational(simple.numerator, simple.denominator)
+    return sp.Rational(decimal)

@@ -42,7 +42,7 @@ _SUBSCRIPT_RANK = {subscript: rank for rank, subscript in enumerate(SUBSCRIPTS)}
 
 
 class InOrder(sp.Add):
-    """A sum with uncollected like terms, printed in the given order; any calculation makes it a plain sum.
+    """A sum that keeps the order of its terms and does not collect like terms. Any calculation makes it a plain sum.
 
     >>> x = sp.Symbol("x")
     >>> print([str(term) for term in ordered_terms(in_order(3 * x, -x))], in_order(3 * x, -x).subs(x, 1))
@@ -67,11 +67,11 @@ class Product(NamedTuple):
 
 
 @lru_cache(maxsize=8192)
-def product(term: sp.Expr) -> Product:
+def to_product(term: sp.Expr) -> Product:
     """Return a term as a product; the number contains the minus sign of a bracket of negative terms.
 
     >>> from ramanujan.derivation.model import R, m, m_prime
-    >>> product(R**2 * (-m - m_prime) * m / 2)
+    >>> to_product(R**2 * (-m - m_prime) * m / 2)
     Product(number=-1/2, above=(m, m + m_prime, R**2), below=())
     """
     number = sp.S.One
@@ -79,8 +79,10 @@ def product(term: sp.Expr) -> Product:
     below: list[sp.Expr] = []
     for factor in sp.Mul.make_args(term):
         if isinstance(factor, sp.Mul):
-            inner = product(factor)
-            number, above, below = number * inner.number, [*above, *inner.above], [*below, *inner.below]
+            inner = to_product(factor)
+            number *= inner.number
+            above += inner.above
+            below += inner.below
             continue
         base, exponent = factor.as_base_exp()
         if factor.is_number and not (factor.is_Pow and base.is_Integer and exponent.is_Integer):
@@ -115,7 +117,7 @@ def ordered_terms(total: sp.Expr) -> tuple[sp.Expr, ...]:
 
 def is_negative(term: sp.Expr) -> bool:
     """Return whether a term has a minus sign."""
-    return bool(product(term).number.is_negative)
+    return bool(to_product(term).number.is_negative)
 
 
 def is_motion(factor: sp.Expr) -> bool:
@@ -133,9 +135,12 @@ def _is_negative_throughout(base: sp.Expr) -> bool:
 
 
 def _is_linear_in_the_mass_ratio(total: sp.Add) -> bool:
-    number, *others = sorted(total.args, key=lambda term: not term.is_number)
-    names = {_name(each) for term in others for each in product(term).above + product(term).below}
-    return number.is_Rational and len(others) == 1 and names == {("varepsilon", "")}
+    """Return whether a sum is a + bε with rational a and b."""
+    if len(total.args) != 2:
+        return False
+    number, multiple = sorted(total.args, key=lambda term: not term.is_number)
+    _coefficient, above, below = to_product(multiple)
+    return number.is_Rational and {_name(factor) for factor in above + below} == {("varepsilon", "")}
 
 
 # Keys
@@ -143,20 +148,26 @@ def _is_linear_in_the_mass_ratio(total: sp.Add) -> bool:
 
 def _term_key(term: sp.Expr) -> Key:
     """Return the sort key of a term: the variables, from the highest derivative; then the constants."""
-    _number, above, below = product(term)
-    factors = [factor.as_base_exp() for factor in above]
-    powers = [(base, int(power) if power.is_Integer else 1) for base, power in factors]
-    varying = [(base, power) for base, power in powers if _varies(base)]
-    names = [_factor_key(base) for base, power in varying for _time in range(power)]
-    constants = [_factor_key(base) for base, power in powers if not _varies(base) for _time in range(power)]
+    _number, above, below = to_product(term)
+    # The bases of the factors, each as often as its power: X²R gives X, X, R.
+    variables: list[sp.Expr] = []
+    constants: list[sp.Expr] = []
+    for factor in above:
+        base, power = factor.as_base_exp()
+        times = int(power) if power.is_Integer else 1
+        (variables if _is_variable(base) else constants).extend([base] * times)
+    variable_keys = [_factor_key(base) for base in variables]
+    highest_derivative = max(map(_derivative_order, variables), default=-len(LETTERS))
+    has_bracket = any(base.is_Add for base in variables)
+    is_mixed_product = len(set(variable_keys)) > 1
     return (
-        -max((_times_differentiated(base) for base, _power in varying), default=-len(LETTERS)),
-        any(base.is_Add for base, _power in varying),
-        -len(names),
-        len(set(names)) > 1,
-        names,
+        -highest_derivative,
+        has_bracket,
+        -len(variables),
+        is_mixed_product,
+        variable_keys,
         bool(below),
-        constants,
+        [_factor_key(base) for base in constants],
         term.sort_key(),
     )
 
@@ -166,24 +177,28 @@ def _factor_key(factor: sp.Expr) -> Key:
     base = factor.as_base_exp()[0]
     if base.is_Add:
         letters = {_name(symbol)[0] for symbol in _symbols(base)}
-        is_of_masses = letters <= {*CONSTANTS, "varepsilon"}
-        return (_LETTER_RANK[SUM] if is_of_masses else _LETTER_RANK["R"] + 0.5, "", 0, "", 0)
+        is_sum_of_masses = letters <= {*CONSTANTS, "varepsilon"}
+        rank_of_bracket = _LETTER_RANK[SUM] if is_sum_of_masses else _LETTER_RANK["R"] + 0.5
+        return (rank_of_bracket, "", 0, "", 0)
     letter, subscript = _name(base)
-    rank = _SUBSCRIPT_RANK.get(subscript, len(SUBSCRIPTS))
-    return _LETTER_RANK.get(letter, len(LETTERS)), letter, rank, subscript, -_times_differentiated(base)
+    letter_rank = _LETTER_RANK.get(letter, len(LETTERS))
+    subscript_rank = _SUBSCRIPT_RANK.get(subscript, len(SUBSCRIPTS))
+    return letter_rank, letter, subscript_rank, subscript, -_derivative_order(base)
 
 
 @lru_cache(maxsize=4096)
-def _times_differentiated(base: sp.Expr) -> int:
+def _derivative_order(base: sp.Expr) -> int:
     """Return the order of a symbol as a time derivative; for a bracket, the highest order in it."""
     if base.is_Add:
-        return max(map(_times_differentiated, _symbols(base)), default=0)
-    times = sum(count for _variable, count in base.variable_count) if isinstance(base, sp.Derivative) else 0
-    return times + DERIVATIVES.get(_name(base)[0], 0)
+        return max(map(_derivative_order, _symbols(base)), default=0)
+    letter, _subscript = _name(base)
+    order = base.derivative_count if isinstance(base, sp.Derivative) else 0
+    return order + DERIVATIVES.get(letter, 0)
 
 
 @lru_cache(maxsize=4096)
-def _varies(base: sp.Expr) -> bool:
+def _is_variable(base: sp.Expr) -> bool:
+    """Return whether a factor is more than a constant: it contains motion, a frequency or the mass ratio."""
     return any(_name(symbol)[0] not in CONSTANTS for symbol in _symbols(base))
 
 
@@ -199,5 +214,6 @@ def _symbols(expression: sp.Basic) -> tuple[sp.Basic, ...]:
 def _name(base: sp.Expr) -> tuple[str, str]:
     """Return letter and subscript of a symbol, a function of time, or the argument of a derivative."""
     symbol = base.expr if isinstance(base, sp.Derivative) else base
-    letter, _bar, subscript = str(symbol.func if isinstance(symbol, AppliedUndef) else symbol).partition("_")
+    name = symbol.func if isinstance(symbol, AppliedUndef) else symbol
+    letter, _bar, subscript = str(name).partition("_")
     return letter, subscript

@@ -15,7 +15,7 @@ from sympy.physics.vector.printing import VectorLatexPrinter, VectorPrettyPrinte
 from sympy.printing.latex import translate
 
 from ramanujan.derivation import model
-from ramanujan.derivation.order import InOrder, Product, is_coefficient, is_motion, ordered_terms, product
+from ramanujan.derivation.order import InOrder, Product, is_coefficient, is_motion, ordered_terms, to_product
 from ramanujan.numerals import in_latex
 from ramanujan.translation import pgettext
 
@@ -67,7 +67,7 @@ class LatexPrinter(VectorLatexPrinter):
 
     def _print(self, expr: sp.Basic, **kwargs: Any) -> str:
         text = super()._print(expr, **kwargs)
-        return colored(text, self._highlight.get(expr)) if self._highlight and isinstance(expr, sp.Basic) else text
+        return apply_color(text, self._highlight.get(expr)) if self._highlight and isinstance(expr, sp.Basic) else text
 
     def _print_Integer(self, expr: sp.Integer) -> str:
         return str(expr)
@@ -77,50 +77,62 @@ class LatexPrinter(VectorLatexPrinter):
 
     def _print_Add(self, expr: sp.Add, order: str | None = None) -> str:
         if isinstance(expr, InOrder) or not expr.is_number:
-            return joined([self._print(term) for term in ordered_terms(expr)])
-        return super()._print_Add(expr, order) if exact(expr) is None else self._product(Product(expr, (), ()))
+            return join_terms([self._print(term) for term in ordered_terms(expr)])
+        return super()._print_Add(expr, order) if to_quadratic(expr) is None else self._product(Product(expr, (), ()))
 
     def _print_Mul(self, expr: sp.Expr) -> str:
-        return self._product(product(expr))
+        return self._product(to_product(expr))
 
     def _product(self, term: Product) -> str:
         """Return a product as coefficient and motion, such as ¾mR²Φ̇²; the coefficient may be a longer fraction.
 
-        Keep a fraction in one piece if its numerator is one sum or has no masses: (8m + 7m′)/2 and 2p/(3R).
+        The number and the factors share one fraction if the numerator is one sum, (8m + 7m′)/2, or has no masses,
+        2p/(3R).
         """
-        number = exact(term.number)
+        number = to_quadratic(term.number)
         if number is None:
-            return super()._print_Mul(sp.Mul(term.number, *term.above, *(1 / factor for factor in term.below)))
+            return self._product_of_other_number(term)
         sign, numerator, denominator, is_sum = number_to_latex(number)
-        coefficient, behind = _divided(term)
-        if denominator and not term.below and (behind or [f.is_Add for f in term.above] != [True]):
+        coefficient, behind = _split_coefficient(term)
+        is_one_sum = len(term.above) == 1 and term.above[0].is_Add and not behind
+        if denominator and not term.below and not is_one_sum:
             numerator, denominator = rf"\frac{{{numerator}}}{{{denominator}}}", ""
         elif is_sum and (term.above or (sign < 0 and not term.below)):
             numerator = rf"\left({numerator}\right)"
         below = self._side_by_side(denominator, term.below)
         if below:
-            numerator, coefficient = rf"\frac{{{self._side_by_side(numerator, coefficient)}}}{{{below}}}", ()
-        text = self._side_by_side(numerator, (*coefficient, *behind), is_term=sign < 0)
-        return f"- {text}" if sign < 0 else text
+            above = self._side_by_side(numerator, coefficient)
+            numerator, coefficient = rf"\frac{{{above}}}{{{below}}}", ()
+        minus = "- " if sign < 0 else ""
+        return minus + self._side_by_side(numerator, (*coefficient, *behind), is_term=bool(minus))
+
+    def _product_of_other_number(self, term: Product) -> str:
+        """Return a product in SymPy's own order, for a number with more than one root."""
+        return super()._print_Mul(sp.Mul(term.number, *term.above, *(1 / factor for factor in term.below)))
 
     def _side_by_side(self, number: str, factors: Sequence[sp.Expr], is_term: bool = False) -> str:
         """Return the factors after a number; omit the number if it is 1 or empty.
 
         Put a sum in brackets, unless it is the only factor and not a term of another sum.
         """
-        numbers = [number] if number not in ("", "1") or (number and not factors) else []
-        if len(factors) == 1 and not numbers and not is_term:
+        if not factors:
+            return number
+        has_number = number not in ("", "1")
+        if len(factors) == 1 and not has_number and not is_term:
             return self._print(factors[0])
-        brackets = (rf"\left({self._print(f)}\right)" if f.is_Add else self._print(f) for f in factors)
-        text, *others = (*numbers, *brackets) or ("",)
+        texts = [number] if has_number else []
+        for factor in factors:
+            text = self._print(factor)
+            texts.append(rf"\left({text}\right)" if factor.is_Add else text)
+        joined, *others = texts
         for other in others:
             # Adjacent numbers in an unevaluated product would look like one number or a difference.
-            factor = rf"\left({other}\right)" if other.startswith("-") else other
-            text += (r" \cdot " if other[0].isdigit() else r"\,") + factor
-        return text
+            separator = r" \cdot " if other[0].isdigit() else r"\,"
+            joined += separator + (rf"\left({other}\right)" if other.startswith("-") else other)
+        return joined
 
     def _print_Derivative(self, expr: sp.Derivative) -> str:
-        return _dotted(expr)
+        return _print_derivative(expr)
 
     def _print_Symbol(self, expr: sp.Symbol, style: str = "plain") -> str:
         letter, _, word = expr.name.partition("_")
@@ -130,17 +142,21 @@ class LatexPrinter(VectorLatexPrinter):
         return super()._print_Symbol(expr, style)
 
 
-def _divided(term: Product) -> tuple[tuple[sp.Expr, ...], tuple[sp.Expr, ...]]:
-    """Return the factors of a product's coefficient, and the factors after it."""
+def _split_coefficient(term: Product) -> tuple[tuple[sp.Expr, ...], tuple[sp.Expr, ...]]:
+    """Return the factors above the fraction bar, and those after the fraction: in (k/m)Rφ, k and Rφ.
+
+    All factors are above the bar if the denominator contains motion, or if it has symbols and no mass is above it.
+    """
     coefficient = tuple(filter(is_coefficient, term.above))
-    has_symbols = any(factor.free_symbols for factor in term.below)
-    if any(map(is_motion, term.below)) or (has_symbols and not coefficient):
+    has_motion_below = any(map(is_motion, term.below))
+    has_symbols_below = any(factor.free_symbols for factor in term.below)
+    if has_motion_below or (has_symbols_below and not coefficient):
         return term.above, ()
     return coefficient, term.above[len(coefficient) :]
 
 
 @cache
-def _dotted(derivative: sp.Derivative) -> str:
+def _print_derivative(derivative: sp.Derivative) -> str:
     """Return q̇ or q̈ in LaTeX; SymPy's printer differentiates again, which takes half the time of a formula."""
     return VectorLatexPrinter().doprint(derivative)
 
@@ -158,18 +174,21 @@ def latex(expression: sp.Basic) -> str:
     return LatexPrinter({}).doprint(expression)
 
 
-def joined(texts: Sequence[str]) -> str:
+def join_terms(texts: Sequence[str]) -> str:
     """Return a sum from the LaTeX of its terms."""
-    return "".join(signed(texts))
+    return "".join(add_signs(texts))
 
 
-def signed(texts: Sequence[str]) -> list[str]:
+def add_signs(texts: Sequence[str]) -> list[str]:
     """Return the LaTeX of the nonzero terms of a sum, each term except the first with its sign."""
     first, *others = [text for text in texts if text != "0"] or ["0"]
-    return [first, *(f" - {each[1:].lstrip()}" if each[0] == "-" else f" + {each}" for each in others)]
+    signed = [first]
+    for text in others:
+        signed.append(f" - {text[1:].lstrip()}" if text.startswith("-") else f" + {text}")
+    return signed
 
 
-def colored(formula: str, color: str | None) -> str:
+def apply_color(formula: str, color: str | None) -> str:
     """Return LaTeX in a colour, #rrggbb; without a colour, return it unchanged."""
     return rf"\textcolor{{{color}}}{{{formula}}}" if color else formula
 
@@ -181,8 +200,10 @@ def plain_text(expression: sp.Expr) -> str:
     >>> plain_text(2 * R * phi)
     '2Rφ'
     """
-    named = expression.subs({q: sp.Function(str(q.func).replace("var", ""))(model.t) for q in model.COORDINATES}).doit()
-    return VectorPrettyPrinter({"use_unicode": True, "wrap_line": False}).doprint(named).replace("⋅", "")
+    # The printer has the letter φ for the name phi, but not for varphi.
+    renamed = {q: sp.Function(str(q.func).replace("var", ""))(model.t) for q in model.COORDINATES}
+    printer = VectorPrettyPrinter({"use_unicode": True, "wrap_line": False})
+    return printer.doprint(expression.subs(renamed).doit()).replace("⋅", "")
 
 
 def javascript(formulas: Mapping[str, Any]) -> str:
@@ -196,14 +217,14 @@ def javascript(formulas: Mapping[str, Any]) -> str:
     >>> javascript({"plain": sp.sqrt(k / m)})
     '{plain: ({k, m}) => Math.sqrt(k)/Math.sqrt(m)}'
     """
-    entries = (
-        f"{name}: {javascript(value) if isinstance(value, Mapping) else _arrow(value)}"
-        for name, value in formulas.items()
-    )
+    entries = []
+    for name, value in formulas.items():
+        text = javascript(value) if isinstance(value, Mapping) else _arrow_function(value)
+        entries.append(f"{name}: {text}")
     return "{" + ", ".join(entries) + "}"
 
 
-def _arrow(expression: sp.Expr) -> str:
+def _arrow_function(expression: sp.Expr) -> str:
     plain = sp.sympify(expression).subs(_PLAIN)
     names = sorted(symbol.name for symbol in plain.free_symbols)
     return f"({{{', '.join(names)}}}) => {sp.jscode(plain)}"
@@ -212,7 +233,7 @@ def _arrow(expression: sp.Expr) -> str:
 # Numbers (p + r√n)/q
 
 
-class Number(NamedTuple):
+class QuadraticNumber(NamedTuple):
     """(p + r√n)/q in lowest terms, q > 0; a fraction has r = 0."""
 
     p: int
@@ -221,11 +242,11 @@ class Number(NamedTuple):
     n: int = 1
 
     @classmethod
-    def of(cls, p: int, r: int, q: int, n: int) -> "Number":
+    def of(cls, p: int, r: int, q: int, n: int) -> "QuadraticNumber":
         """Return (p + r√n)/q.
 
-        >>> Number.of(-2, 2, 72, 1729)
-        Number(p=-1, q=36, r=1, n=1729)
+        >>> QuadraticNumber.of(-2, 2, 72, 1729)
+        QuadraticNumber(p=-1, q=36, r=1, n=1729)
         """
         common = gcd(p, q, r) if q > 0 else -gcd(p, q, r)
         return cls(p // common, q // common, r // common, n)
@@ -239,14 +260,14 @@ class Number(NamedTuple):
         return context.fma(Decimal(self.r), context.sqrt(Decimal(self.n)), Decimal(self.p))
 
 
-def exact(value: sp.Expr) -> Number | None:
+def to_quadratic(value: sp.Expr) -> QuadraticNumber | None:
     """Return a SymPy number as (p + r√n)/q, or None if this is impossible.
 
-    >>> exact((sp.sqrt(1729) - 1) / 36)
-    Number(p=-1, q=36, r=1, n=1729)
+    >>> to_quadratic((sp.sqrt(1729) - 1) / 36)
+    QuadraticNumber(p=-1, q=36, r=1, n=1729)
     """
     if value.is_Rational:
-        return Number(int(value.p), int(value.q))
+        return QuadraticNumber(int(value.p), int(value.q))
     parts = sp.expand(value).as_coefficients_dict()
     roots = [part for part in parts if part != 1]
     if len(roots) != 1:
@@ -257,10 +278,10 @@ def exact(value: sp.Expr) -> Number | None:
         return None
     p, r = sp.Rational(parts[sp.S.One]), sp.Rational(parts[root])
     q = lcm(int(p.q), int(r.q))
-    return Number.of(int(p * q), int(r * q), q, int(root.base))
+    return QuadraticNumber.of(int(p * q), int(r * q), q, int(root.base))
 
 
-class Printed(NamedTuple):
+class LatexNumber(NamedTuple):
     """A number as LaTeX: its sign (1, 0 or −1), and numerator and denominator of its absolute value.
 
     `below` is "" for the denominator 1. `is_sum` is true for a numerator p + r√n, which needs brackets as a factor.
@@ -273,62 +294,74 @@ class Printed(NamedTuple):
 
     @property
     def needs_no_decimal(self) -> bool:
-        """Whether the number needs no decimal, because it is an integer or a decimal."""
+        """Whether the number is an integer or already a decimal."""
         return not self.below and (self.above.isdigit() or r"\ldots" in self.above)
 
 
 @lru_cache(maxsize=4096)
-def number_to_latex(number: Number) -> Printed:
-    r"""Return a number as LaTeX: one fraction without a root in the denominator, or for a long one a truncated decimal.
+def number_to_latex(number: QuadraticNumber) -> LatexNumber:
+    r"""Return a number as LaTeX: one fraction without a root in the denominator, or a truncated decimal if it is long.
 
-    >>> number_to_latex(Number(37, 36, -1, 1729))
-    Printed(sign=-1, above='\\sqrt{1729} - 37', below='36', is_sum=True)
+    >>> number_to_latex(QuadraticNumber(37, 36, -1, 1729))
+    LatexNumber(sign=-1, above='\\sqrt{1729} - 37', below='36', is_sum=True)
     """
-    value = number.numerator if number.r else number.p
+    value = number.numerator
     sign = (value > 0) - (value < 0)
-    p, q, r = sign * number.p, number.q, sign * number.r
-    if max(q, *((abs(p), abs(r)) if r else (0,))) >= LONG:
-        return Printed(sign, truncated(number._replace(p=p, r=r)))
-    common = gcd(p, r) if p and r else 1
-    above, p, r = str(p), p // common, r // common
-    if r:
-        roots = rf"{abs(r)}\,\sqrt{{{number.n}}}" if abs(r) > 1 else rf"\sqrt{{{number.n}}}"
-        # The absolute value is positive, so one of its two terms is positive. This term comes first.
-        above = roots if not p else f"{roots} - {-p}" if p < 0 else f"{p} {'-' if r < 0 else '+'} {roots}"
-    above = rf"{common}\,\left({above}\right)" if common > 1 else above
-    return Printed(sign, above, str(q) if q > 1 else "", bool(p and r) and common == 1)
+    absolute = number._replace(p=sign * number.p, r=sign * number.r)
+    p, q, r, _n = absolute
+    is_long = q >= LONG or (r != 0 and max(abs(p), abs(r)) >= LONG)
+    if is_long:
+        return LatexNumber(sign, truncate(absolute))
+    below = str(q) if q > 1 else ""
+    if r == 0:
+        return LatexNumber(sign, str(p), below)
+    common = gcd(p, r) if p else 1
+    above = _sum_to_latex(p // common, r // common, number.n)
+    if common > 1:
+        above = rf"{common}\,\left({above}\right)"
+    return LatexNumber(sign, above, below, is_sum=p != 0 and common == 1)
 
 
-def truncated(number: Number) -> str:
+def _sum_to_latex(p: int, r: int, n: int) -> str:
+    """Return p + r√n > 0 as LaTeX, with a positive term first."""
+    root = rf"{abs(r)}\,\sqrt{{{n}}}" if abs(r) > 1 else rf"\sqrt{{{n}}}"
+    if p == 0:
+        return root
+    if p < 0:
+        return f"{root} - {-p}"
+    return f"{p} {'-' if r < 0 else '+'} {root}"
+
+
+def truncate(number: QuadraticNumber) -> str:
     r"""Return a number > 0 as a decimal of eight digits; a longer decimal is truncated and ends in dots.
 
-    >>> truncated(Number(2, 3))
+    >>> truncate(QuadraticNumber(2, 3))
     '0.66666666\\ldots'
     """
     return _decimal(number, ROUND_DOWN, DIGITS, r"\ldots")[0]
 
 
-def rounded(number: Number, digits: int = DIGITS) -> str:
+def round_number(number: QuadraticNumber, digits: int = DIGITS) -> str:
     """Return a number as a decimal rounded to some significant digits, without trailing zeros.
 
-    >>> rounded(Number(-2, 3), 4)
+    >>> round_number(QuadraticNumber(-2, 3), 4)
     '-0.6667'
     """
     return _decimal(number, ROUND_HALF_EVEN, digits)[0]
 
 
-def decimal_of(number: Number, digits: int = DIGITS) -> str:
+def format_decimal(number: QuadraticNumber, digits: int = DIGITS) -> str:
     r"""Return a relation sign and a decimal as LaTeX: ≈ before a rounded decimal, = before an exact one.
 
-    >>> decimal_of(Number(196, 25)), decimal_of(Number(-2, 3), 4)
+    >>> format_decimal(QuadraticNumber(196, 25)), format_decimal(QuadraticNumber(-2, 3), 4)
     ('= 7.84', '\\approx -0.6667')
     """
     text, is_exact = _decimal(number, ROUND_HALF_EVEN, digits)
     return f"= {text}" if is_exact else rf"\approx {text}"
 
 
-def _decimal(number: Number, rounding: str, digits: int, ellipsis: str = "") -> tuple[str, bool]:
-    """Return a decimal, with a power of ten for many zeros and a mark if it is not exact, and whether it is exact."""
+def _decimal(number: QuadraticNumber, rounding: str, digits: int, ellipsis: str = "") -> tuple[str, bool]:
+    """Return a decimal, and whether it is exact. It has a power of ten instead of many zeros, and dots if truncated."""
     value = number.numerator
     quotient = Context(prec=digits, rounding=rounding).divide(value, number.q)
     if not quotient:

@@ -1,4 +1,4 @@
-"""Remarks on the paper: its few lines with a slip, and their corrections. The paper's main result is right.
+"""Remarks on the paper: the few lines with a mistake, and their corrections. The paper's main result is right.
 
 Each remark has a check that SymPy computes from the bodies. It is true if the printed line is wrong and the corrected
 line is right. `conserved_momenta` returns the momenta of the two zero modes.
@@ -11,7 +11,7 @@ from itertools import combinations_with_replacement
 import sympy as sp
 
 from ramanujan.derivation.elimination import Elimination, Phi_ddot, X_ddot, eliminate, phi_ddot
-from ramanujan.derivation.matrix import Modes, modes
+from ramanujan.derivation.matrix import Modes, list_eigenvalues, modes
 from ramanujan.derivation.model import COORDINATES, Omega_squared, X, equation, k, m, machine, phi, t
 from ramanujan.derivation.printers import latex
 from ramanujan.numerals import in_latex
@@ -62,16 +62,18 @@ def remarks() -> tuple[Remark, ...]:
 
 
 def _taxicab() -> Remark:
-    taxicab, counterexample = _smallest_in_two_ways(signed=False), _smallest_in_two_ways(signed=True)
-    n, ways = counterexample
-    cubes = ("+".join(f"{a}^3" if a > 0 else f"({a})^3" for a in sorted(way, reverse=True)) for way in ways)
-    shown = "=".join([str(n), *cubes])
+    taxicab, _ways = _smallest_in_two_ways(signed=False)
+    n, ways = _smallest_in_two_ways(signed=True)
+    sides = [str(n)]
+    for a, b in ways:
+        cubes = [f"{root}^3" if root > 0 else f"({root})^3" for root in sorted((a, b), reverse=True)]
+        sides.append("+".join(cubes))
     return Remark(
         _("Introduction"),
         _("“the smallest number representable in two ways as a sum of two cubes”"),
         _("the smallest number that is a sum of two *positive* cubes in two ways"),
-        _("If negative cubes are allowed, there is a smaller one: {number}.").format(number=f"${shown}$"),
-        taxicab[0] == 1729 and n < taxicab[0] and all(sum(a**3 for a in way) == n for way in ways),
+        _("If negative cubes are allowed, there is a smaller one: {number}.").format(number=f"${'='.join(sides)}$"),
+        taxicab == 1729 and n < taxicab and all(a**3 + b**3 == n for a, b in ways),
     )
 
 
@@ -124,19 +126,20 @@ def _proportionality(result: Elimination, spectrum: Modes) -> Remark:
 def _sign(spectrum: Modes) -> Remark:
     Omega2 = spectrum.natural_frequency_squared
     mode = tuple(share * _oscillation(spectrum) for share in spectrum.mode_shape)
+    has_minus_sign = all(sp.expand(q.diff(t, 2) + Omega2 * q) == 0 for q in mode)
+    has_minus_sign &= all(sp.expand(q.diff(t, 2) - Omega2 * q) != 0 for q in mode)
     likewise = _("{equation}, and likewise for $\\Phi$")
     return Remark(
         _("Section 3, the four equations"),
         likewise.format(equation=f"${latex(equation(X_ddot, Omega_squared * X))}$"),
         likewise.format(equation=f"${latex(equation(X_ddot, -Omega_squared * X))}$"),
         _("Each of them lacks a minus sign. Without it the motion would grow exponentially instead of oscillating."),
-        _solves(spectrum, mode)
-        and all(sp.expand(q.diff(t, 2) + Omega2 * q) == 0 != sp.expand(q.diff(t, 2) - Omega2 * q) for q in mode),
+        _solves(spectrum, mode) and has_minus_sign,
     )
 
 
 def _one_mode(result: Elimination, spectrum: Modes) -> Remark:
-    eigenvalues = sp.Tuple(*(root for root, count in spectrum.eigenvalues.items() for _i in range(count)))
+    eigenvalues = sp.Tuple(*list_eigenvalues(spectrum))
     names = sp.Tuple(*(omega**2 for omega in sp.symbols("omega_1:4")))
     shown = eigenvalues.xreplace({result.natural_frequency_squared: Omega_squared})
     return Remark(
@@ -169,7 +172,8 @@ def _solves(spectrum: Modes, motion: tuple[sp.Expr, ...]) -> bool:
 def _smallest_in_two_ways(*, signed: bool) -> tuple[int, list[tuple[int, int]]]:
     """Return the smallest positive number with two representations a³ + b³, and both representations.
 
-    Up to 1729 the search is complete: (c+1)³ − c³ exceeds it for c > 23, and so does 13³.
+    If `signed`, a and b may be negative. The search is complete up to 1729: the smallest positive a³ + b³ with a < −23
+    is 25³ − 24³ = 1801, and 13³ is greater than 1729, too.
     """
     cubes = [a for a in range(-24 if signed else 1, 26) if a != 0]
     ways: dict[int, list[tuple[int, int]]] = {}

@@ -7,19 +7,31 @@ import math
 import re
 from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass, field, replace
-from itertools import pairwise
-from typing import Self
+from typing import NamedTuple, Self
 
 import sympy as sp
 
 from ramanujan.derivation.model import M_clamped, M_e, M_x, Omega_clamped_squared, Omega_squared, epsilon
 from ramanujan.derivation.numbers import Numbers
 from ramanujan.derivation.order import InOrder, ordered_terms
-from ramanujan.derivation.printers import Highlight, LatexPrinter, decimal_of, exact, number_to_latex, signed
+from ramanujan.derivation.printers import (
+    Highlight,
+    LatexPrinter,
+    add_signs,
+    format_decimal,
+    number_to_latex,
+    to_quadratic,
+)
 from ramanujan.derivation.steps import Step
 
-Dress = tuple[tuple[int, int, str], ...]
-"""Side and place of each marked term, and the LaTeX command before it."""
+
+class TermCommand(NamedTuple):
+    """A LaTeX command for one term of an equation: the side, 0 or 1, the place of the term from 0, the command."""
+
+    side: int
+    place: int
+    command: str
+
 
 _UNITS = {
     **dict.fromkeys((Omega_squared, Omega_clamped_squared), r"\,\mathrm{s^{-2}}"),
@@ -32,12 +44,14 @@ _PLACE = re.compile(r"(left|right) (\d+)")
 """A mark: a side of an equation, and the place of a term on it, counted from 1."""
 _MARK = r"\underline"
 _COMMAND = re.compile(r"\\(?!frac|left|right|mathrm|text|mathcal|d?dot)[a-zA-Z]+")
-_SHORT, _SHORTEST = 8, 20
-"""Characters of a left side that leave the full width to the right side, and of its shortest line."""
+_SHORT_LEFT_SIDE = 8
+"""Characters of a left side that leave the full width to the right side."""
+_SHORTEST_LINE = 20
+"""Characters of a line of the right side beside a very long left side."""
 _PHONE = 28
 """Characters of a line that fits on a phone at a font size of 15 px."""
 _BELOW = r" \\[.15em] &"
-"""Begins a line for an operation."""
+"""Line break before an operation below its equation."""
 _INVISIBLE = re.compile(r"\\textcolor\{#\w+\}|\\[a-zA-Z]+|\\,|[{}^_ ]")
 
 
@@ -71,26 +85,26 @@ class Row:
     @property
     def unmarked(self) -> Self:
         """The equation without its operation and the operation's marks."""
-        left, *terms = (part.replace(_MARK, "") for part in (self.left, *self.terms))
-        return replace(self, left=left, terms=tuple(terms), operation="")
+        terms = tuple(term.replace(_MARK, "") for term in self.terms)
+        return replace(self, left=self.left.replace(_MARK, ""), terms=terms, operation="")
 
     @property
     def margin(self) -> str:
         """The operation as LaTeX after the equation, or ""."""
         return rf"\quad\footnotesize\vert\ {self.operation}" if self.operation else ""
 
-    def lines(self, width: int, beside: int = 0) -> list[str]:
+    def lines(self, width: int, left_width: int = 0) -> list[str]:
         """Return the right side broken into lines of about equal width; each line after the first begins with a sign.
 
         Parameters
         ----------
         width : characters of a line with a short left side
-        beside : characters of the longest left side in the alignment
+        left_width : characters of the longest left side in the alignment
         """
-        width = max(width - max(beside - _SHORT, 0), _SHORTEST)
+        width = max(width - max(left_width - _SHORT_LEFT_SIDE, 0), _SHORTEST_LINE)
         lines = [self.terms[0]]
         for term in self.terms[1:]:
-            if extent(lines[-1] + term) > width:
+            if measure_width(lines[-1] + term) > width:
                 lines.append(term.strip())
             else:
                 lines[-1] += term
@@ -99,13 +113,13 @@ class Row:
 
 
 def rows(step: Step, numbers: Numbers | None = None, make: Callable[..., Row] | None = None) -> list[Row]:
-    """Return the equations of a step as rows without duplicates, with the numbers of a machine if given.
+    """Return the equations of a step as rows without duplicates, in symbols or with the numbers of a machine.
 
     Parameters
     ----------
     step : one step of a route, in symbols
     numbers : of the machine; none for the symbols
-    make : function of the equation, its label and `dress` that returns a row; `row` by default
+    make : function (equation, label, commands) → row; `row` by default
 
     >>> from ramanujan.derivation import ROUTES
     >>> from ramanujan.derivation.numbers import Numbers
@@ -113,21 +127,33 @@ def rows(step: Step, numbers: Numbers | None = None, make: Callable[..., Row] | 
     'M_{e} = \\\\frac{99}{26} \\\\approx 3.8076923\\\\,\\\\mathrm{kg}'
     """
     adapted = step.for_numbers(numbers)
-    none = [""] * len(adapted.equations)
-    # An operation that leads to several equations is shown beside the first one.
-    once = ("" if above == each else each for above, each in pairwise(("", *(adapted.operations or none))))
+    empty = ("",) * len(adapted.equations)
+    labels, operations, marks = adapted.labels or empty, adapted.operations or empty, adapted.marks or empty
+    previous_operation = ""
+    # `Row` compares rows without their operations, so a duplicate with another operation is omitted, too.
     distinct: dict[Row, Row] = {}
-    for equation, label, operation, marks in zip(
-        adapted.equations, adapted.labels or none, once, adapted.marks or none, strict=True
-    ):
-        dress = tuple((SIDES.index(side), int(place) - 1, _MARK) for side, place in _PLACE.findall(marks))
-        new_row = make(equation, label, dress) if make else row(equation, numbers, label=label, dress=dress)
-        distinct.setdefault(new_row, replace(new_row, operation=operation))
+    for equation, label, operation, mark in zip(adapted.equations, labels, operations, marks, strict=True):
+        commands = _mark_commands(mark)
+        new_row = make(equation, label, commands) if make else row(equation, numbers, label=label, commands=commands)
+        # An operation that leads to several equations is shown beside the first one.
+        shown_operation = "" if operation == previous_operation else operation
+        distinct.setdefault(new_row, replace(new_row, operation=shown_operation))
+        previous_operation = operation
     return list(distinct.values())
 
 
+def _mark_commands(marks: str) -> tuple[TermCommand, ...]:
+    """Return the commands that underline the marked terms, such as "left 2, right 1"."""
+    places = _PLACE.findall(marks)
+    return tuple(TermCommand(SIDES.index(side), int(place) - 1, _MARK) for side, place in places)
+
+
 def row(
-    equation: sp.Eq, numbers: Numbers | None = None, highlight: Highlight = (), label: str = "", dress: Dress = ()
+    equation: sp.Eq,
+    numbers: Numbers | None = None,
+    highlight: Highlight = (),
+    label: str = "",
+    commands: Sequence[TermCommand] = (),
 ) -> Row:
     """Return one equation as a row.
 
@@ -137,58 +163,65 @@ def row(
     numbers : of the machine; none for the symbols
     highlight : symbols in a colour
     label : LaTeX before the equation
-    dress : function applied to the terms
+    commands : LaTeX commands for some terms
     """
-    left, right = (
-        side_terms(side, numbers, highlight, [each[1:] for each in dress if each[0] == number])
-        for number, side in enumerate(equation.args)
-    )
+    left = side_terms(equation.lhs, numbers, highlight, [each for each in commands if each.side == 0])
+    right = side_terms(equation.rhs, numbers, highlight, [each for each in commands if each.side == 1])
     labelled = [rf"{label}:\ ", *left] if label else left
-    return Row("".join(labelled), tuple(right), _value(equation, numbers) if numbers else "")
+    return Row("".join(labelled), tuple(right), _format_value(equation, numbers) if numbers else "")
 
 
 def side_terms(
     side: sp.Basic,
     numbers: Numbers | None = None,
     highlight: Highlight = (),
-    dress: Sequence[tuple[int, str]] = (),
+    commands: Sequence[TermCommand] = (),
 ) -> list[str]:
-    """Return the terms of one side as LaTeX, each with its sign; `dress` is applied to all parts of a term."""
-    printer, texts = LatexPrinter(dict(highlight)), []
+    """Return the terms of one side as LaTeX, each with its sign.
+
+    With numbers, a term may have several parts. A command for a term is applied to all of its parts.
+    """
+    printer = LatexPrinter(dict(highlight))
+    texts = []
     parts_of_terms = numbers.terms(side) if numbers else [(term,) for term in ordered_terms(side)]
     for place, parts in enumerate(parts_of_terms):
+        of_term = [each.command for each in commands if each.place == place]
         for part in parts:
-            text = printer.doprint(part)
-            for _place, command in (each for each in dress if each[0] == place):
-                unsigned = text.removeprefix("- ")
-                sign = text.removesuffix(unsigned)
-                text = rf"{sign}{command}{{{unsigned}}}"
             if part != 0:
-                texts.append(text)
-    return signed(texts or ["0"])
+                texts.append(_apply_commands(printer.doprint(part), of_term))
+    return add_signs(texts or ["0"])
 
 
-def _value(equation: sp.Eq, numbers: Numbers) -> str:
+def _apply_commands(term: str, commands: Sequence[str]) -> str:
+    """Return a term as the argument of LaTeX commands, with its sign before them."""
+    for command in commands:
+        unsigned = term.removeprefix("- ")
+        sign = term.removesuffix(unsigned)
+        term = rf"{sign}{command}{{{unsigned}}}"
+    return term
+
+
+def _format_value(equation: sp.Eq, numbers: Numbers) -> str:
     """Return the decimal of a numeric right side, and the unit of the quantity on the left.
 
     The mass ratio is a setting, so its decimal is omitted.
     """
     value = numbers.insert_into(equation.rhs)
     is_computed = equation.rhs.free_symbols and isinstance(value, sp.Expr) and not isinstance(value, InOrder)
-    number = exact(value) if is_computed and value.is_number and equation.lhs != epsilon else None
+    number = to_quadratic(value) if is_computed and value.is_number and equation.lhs != epsilon else None
     if number is None:
         return ""
     unit = _UNITS.get(equation.lhs, "")
-    return unit if number_to_latex(number).needs_no_decimal else f" {decimal_of(number)}{unit}"
+    return unit if number_to_latex(number).needs_no_decimal else f" {format_decimal(number)}{unit}"
 
 
-def extent(formula: str) -> int:
+def measure_width(formula: str) -> int:
     """Return the approximate width of an expression in characters."""
     return len(_INVISIBLE.sub("", _COMMAND.sub("x", formula)))
 
 
-def aligned(shown: Sequence[Row], width: int, gap: str = ".5em", room: float = math.inf) -> str:
-    """Return rows as one display: aligned at the left if a row is … = 0, else at the equals signs; "" for none.
+def align(shown: Sequence[Row], width: int, gap: str = ".5em", room: float = math.inf) -> str:
+    """Return rows as one display: aligned at the left if a row ends in = 0, else at the equals signs; "" for no rows.
 
     Parameters
     ----------
@@ -197,28 +230,51 @@ def aligned(shown: Sequence[Row], width: int, gap: str = ".5em", room: float = m
     gap : space between equations
     room : the largest number of characters of an equation with its operation beside it instead of below
     """
-    to_zero, beside = any(each.right == "0" for each in shown), widest(shown)
-    # A column of operations would be far away from broken lines.
-    broken = any(len(each.lines(width, beside)) > 1 for each in shown)
-    longest = 0 if broken else max((extent(each.right) for each in shown), default=0)
-    lines = rf" \\[{gap}] ".join(_marked(each, to_zero, width, beside, longest, room) for each in shown)
+    left_width = measure_left_sides(shown)
+    if any(each.right == "0" for each in shown):
+        texts = [_format_in_one_line(each, room) for each in shown]
+    else:
+        # A column of operations would be far away from broken lines.
+        is_broken = any(len(each.lines(width, left_width)) > 1 for each in shown)
+        column = 0 if is_broken else max((measure_width(each.right) for each in shown), default=0)
+        texts = [_format_in_lines(each, width, left_width, column, room) for each in shown]
+    lines = rf" \\[{gap}] ".join(texts)
     return rf"\begin{{aligned}}{lines}\end{{aligned}}" if lines else ""
 
 
-def on_a_phone(shown: Sequence[Row]) -> str:
+def align_for_phone(shown: Sequence[Row]) -> str:
     """Return rows as one display for a phone: short lines, each operation below its line."""
-    return aligned(shown, _PHONE, ".8em", room=0)
+    return align(shown, _PHONE, ".8em", room=0)
 
 
-def widest(shown: Iterable[Row]) -> int:
+def measure_left_sides(shown: Iterable[Row]) -> int:
     """Return the approximate number of characters of the longest left side."""
-    return max((extent(each.left) for each in shown), default=0)
+    return max((measure_width(each.left) for each in shown), default=0)
 
 
-def _marked(shown: Row, to_zero: bool, width: int, beside: int, longest: int, room: float) -> str:
-    first, *others = lines = shown.lines(width, beside)
-    text, taken, behind = f"&{shown.latex}", extent(shown.left + shown.right), ""
-    if not to_zero:
-        text = rf"{shown.left} &= {first}" + "".join(rf" \\[.3em] &\quad {other}" for other in others)
-        taken, behind = beside + (longest or extent(lines[-1])), " &&" if longest else ""
-    return f"{text}{behind if taken <= room else _BELOW}{shown.margin}" if shown.margin else text
+def _format_in_one_line(shown: Row, room: float) -> str:
+    """Return an equation that is aligned at its beginning."""
+    return f"&{shown.latex}" + _add_operation(shown, measure_width(shown.left + shown.right), "", room)
+
+
+def _format_in_lines(shown: Row, width: int, left_width: int, column: int, room: float) -> str:
+    """Return an equation that is aligned at its equals sign.
+
+    Parameters
+    ----------
+    shown : the row
+    width, left_width : as in `Row.lines`
+    column : characters between the equals signs and a column of operations; 0 if there is no such column
+    room : as in `align`
+    """
+    lines = shown.lines(width, left_width)
+    text = rf"{shown.left} &= " + r" \\[.3em] &\quad ".join(lines)
+    text_width = left_width + (column or measure_width(lines[-1]))
+    return text + _add_operation(shown, text_width, " &&" if column else "", room)
+
+
+def _add_operation(shown: Row, text_width: int, separator: str, room: float) -> str:
+    """Return the operation of a row, after a separator, or below the row if the row is wider than `room`."""
+    if not shown.margin:
+        return ""
+    return f"{separator if text_width <= room else _BELOW}{shown.margin}"

@@ -19,7 +19,7 @@ INITIAL_RATE = {q: sp.Symbol(f"{symbol.name}_dot") for q, symbol in INITIAL.item
 
 @cache
 def mode_shape(bodies: Machine | None = None) -> dict[sp.Expr, sp.Expr]:
-    """Return the amplitude of each coordinate for an amplitude of one radian in φ in the oscillating mode: κR, 1, λ.
+    """Return the amplitudes κR, 1, λ of X, φ and Φ in the oscillating mode, if the amplitude of φ is one radian.
 
     >>> mode_shape()[X]
     6*R*(m + m_prime)/(7*m + 6*m_prime)
@@ -39,6 +39,7 @@ def coefficients(bodies: Machine | None = None) -> dict[sp.Expr, tuple[sp.Expr, 
     (0, 0, phi, phi_dot/Omega)
     """
     shape = mode_shape(bodies)
+    # The unknowns: the amplitudes of φ, and the constant part and the drift of X and Φ.
     cosine, sine = sp.symbols("cosine sine")
     start = {q: sp.Symbol(f"start_{q.func}") for q in (X, Phi)}
     drift = {q: sp.Symbol(f"drift_{q.func}") for q in (X, Phi)}
@@ -46,10 +47,9 @@ def coefficients(bodies: Machine | None = None) -> dict[sp.Expr, tuple[sp.Expr, 
     rate_at_start = [drift.get(q, 0) + shape[q] * sine * Omega - INITIAL_RATE[q] for q in COORDINATES]
     unknowns = [cosine, sine, *start.values(), *drift.values()]
     solved = sp.solve([*at_start, *rate_at_start], unknowns, dict=True)[0]
-    return {
-        q: tuple(
-            sp.factor(sp.sympify(part).subs(solved))
-            for part in (start.get(q, 0), drift.get(q, 0), shape[q] * cosine, shape[q] * sine)
-        )
-        for q in COORDINATES
-    }
+    result = {}
+    for q in COORDINATES:
+        a, b = start.get(q, sp.S.Zero), drift.get(q, sp.S.Zero)
+        c, d = shape[q] * cosine, shape[q] * sine
+        result[q] = tuple(sp.factor(part.subs(solved)) for part in (a, b, c, d))
+    return result

@@ -27,8 +27,8 @@ class Step:
     heading : the action of the step, in a few words
     reason : why the step is allowed, in one sentence or a few, Markdown with $…$
     equations : relations that hold for every machine, or state a condition on ε
-    special : function of the numbers of one machine that returns the step for it, in symbols, if the equations state a
-        condition. None if the numbers can be inserted into the equations.
+    special : function (numbers of a machine) → variant of the step in symbols, for equations that state a condition.
+        None if the numbers can be inserted into the equations.
     labels : LaTeX before each equation, such as the coordinate to which it belongs; or none
     operations : LaTeX in the margin of each equation, for the operation that leads to it; or none
     marks : the terms of each equation that an operation removes, adds or moves, such as "left 2, right 1", in printed
@@ -45,12 +45,13 @@ class Step:
     marks: tuple[str, ...] = ()
 
     def for_numbers(self, numbers: Numbers | None) -> "Step":
-        """Return the step, in symbols, for the machine with these numbers; without numbers, return the step."""
+        """Return the variant of the step for the numbers of a machine, still in symbols; without numbers, the step."""
         return self.special(numbers) if numbers and self.special else self
 
     def _repr_markdown_(self) -> str:
         """Return the step as Markdown for a notebook."""
-        return "\n\n".join([f"**{self.heading}.** {self.reason}", *(f"$${latex(e)}$$" for e in self.equations)])
+        equations = (f"$${latex(equation)}$$" for equation in self.equations)
+        return "\n\n".join([f"**{self.heading}.** {self.reason}", *equations])
 
 
 def step(key: str, heading: str, reason: str, *equations: sp.Eq, **more: Any) -> Step:
@@ -58,32 +59,33 @@ def step(key: str, heading: str, reason: str, *equations: sp.Eq, **more: Any) ->
     return Step(key, heading, reason, equations, **more)
 
 
-def blackboard(operation: str, *what: sp.Basic | str) -> str:
+def margin_text(operation: str, *what: sp.Basic | str) -> str:
     """Return an operation as LaTeX for the margin; expressions, or their LaTeX, fill the slot {what}.
 
-    >>> print(blackboard("insert {what}", sp.Symbol("x"), "y"))
+    >>> print(margin_text("insert {what}", sp.Symbol("x"), "y"))
     \\text{insert $x$, $y$}
     """
-    formulas = ", ".join(f"${each if isinstance(each, str) else latex(each)}$" for each in what)
-    return rf"\text{{{operation.format(what=formulas)}}}"
+    formulas = [each if isinstance(each, str) else latex(each) for each in what]
+    listed = ", ".join(f"${formula}$" for formula in formulas)
+    return rf"\text{{{operation.format(what=listed)}}}"
 
 
 def insert(*what: sp.Basic | str) -> str:
     """Return the operation that inserts known expressions."""
     # TRANSLATORS: an operation, written beside an equation; {what} is a formula.
-    return blackboard(_("insert {what}"), *what)
+    return margin_text(_("insert {what}"), *what)
 
 
 def solve_for(what: sp.Basic) -> str:
     """Return the operation that solves for an unknown."""
     # TRANSLATORS: an operation, written beside an equation; {what} is a symbol.
-    return blackboard(_("solve for {what}"), what)
+    return margin_text(_("solve for {what}"), what)
 
 
 def compare(what: sp.Basic) -> str:
-    """Return the operation that reads a value off two forms of one equation."""
+    """Return the operation that compares the factors of an expression in two forms of one equation."""
     # TRANSLATORS: an operation, written beside an equation; {what} is a symbol.
-    return blackboard(_("compare the factors of {what}"), what)
+    return margin_text(_("compare the factors of {what}"), what)
 
 
 @dataclass(frozen=True)
@@ -121,11 +123,11 @@ class Routes(UserDict[str, Any]):
     def add(self, name: str) -> Callable[[Callable[[Machine], Route]], Callable[[Machine], Route]]:
         """Return a decorator that registers the function that derives a route from the bodies."""
 
-        def enter(build: Callable[[Machine], Route]) -> Callable[[Machine], Route]:
+        def register(build: Callable[[Machine], Route]) -> Callable[[Machine], Route]:
             self.data[name] = cache(build)
             return build
 
-        return enter
+        return register
 
     def __getitem__(self, name: str) -> Route:
         return self.data[name](machine())

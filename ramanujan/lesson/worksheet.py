@@ -15,7 +15,7 @@ import sympy as sp
 
 from ramanujan.derivation import ROUTES
 from ramanujan.derivation.model import epsilon, k, m, m_prime
-from ramanujan.derivation.numbers import Numbers, as_typed, unit_frequency_condition, with_decimal
+from ramanujan.derivation.numbers import Numbers, format_as_typed, format_with_decimal, unit_frequency_condition
 from ramanujan.derivation.printers import latex
 from ramanujan.derivation.steps import Step
 from ramanujan.lesson import CHAPTERS, Stop
@@ -142,13 +142,13 @@ def _calculations(machine: Oscillator, target: Fraction) -> tuple[WorksheetQuest
     formula = unit_frequency_condition().normalized_frequency_squared
     numerator, denominator = (sp.expand(part.subs(epsilon, ratio)) for part in sp.fraction(formula))
     normalized = sp.radsimp(numerator / denominator)
-    typed = {symbol: as_typed(value) for symbol, value in values.items()}
+    typed = {symbol: format_as_typed(value) for symbol, value in values.items()}
     squared = sp.radsimp(normalized * values[k] / values[m])
     effective_mass = sp.radsimp(values[k] / squared)
     return (
         WorksheetQuestion(
             _("Calculate the mass ratio $\\varepsilon=m'/m$ and the normalized frequency squared $\\Omega^2m/k$."),
-            f"$\\varepsilon={latex(ratio)}$, $\\Omega^2m/k={with_decimal(normalized)}$",
+            f"$\\varepsilon={latex(ratio)}$, $\\Omega^2m/k={format_with_decimal(normalized)}$",
             working=(
                 f"\\varepsilon=\\frac{{m'}}{{m}}=\\frac{{{typed[m_prime]}}}{{{typed[m]}}}={latex(ratio)}",
                 f"\\frac{{\\Omega^2m}}{{k}}={latex(formula)}=\\frac{{{latex(numerator)}}}{{{latex(denominator)}}}",
@@ -197,7 +197,7 @@ def _target_question(target: Fraction) -> WorksheetQuestion:
     return WorksheetQuestion(
         _("For which mass ratio is $\\Omega^2m/k={target}$? Give it exactly.").format(target=target),
         _("${quadratic}=0$, so $\\varepsilon={root}$.").format(
-            quadratic=latex(a * epsilon**2 + b * epsilon + c), root=with_decimal(root)
+            quadratic=latex(a * epsilon**2 + b * epsilon + c), root=format_with_decimal(root)
         ),
         working=(
             f"{latex(formula)}={latex(sp.Rational(target))}",

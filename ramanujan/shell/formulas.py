@@ -1,6 +1,6 @@
 """Blocks of equations next to the machine."""
 
-from ramanujan.derivation.rows import Row, aligned
+from ramanujan.derivation.rows import Row, align
 
 LINE_WIDTH, ROOM = 34, 37
 """Number of characters that fit next to the machine: of a formula, and of a formula with its operation behind it."""
@@ -18,4 +18,4 @@ def typeset_beside_machine(rows: list[Row], room: float = ROOM) -> str:
     """
     lines = sum(len(row.lines(LINE_WIDTH)) for row in rows)
     space = ".5em" if lines < _LONG_BLOCK else ".3em"
-    return aligned(rows, LINE_WIDTH, space, room)
+    return align(rows, LINE_WIDTH, space, room)

@@ -11,15 +11,15 @@ from ramanujan import Oscillator
 from ramanujan.answers import QUESTIONS, question
 from ramanujan.answers.questions import Question
 from ramanujan.derivation import ROUTES, Route, Step
-from ramanujan.derivation.energies import belongs_to, names, terms
+from ramanujan.derivation.energies import belongs_to, symbols_of_part, terms_by_part
 from ramanujan.derivation.export import to_beamer, to_latex, to_markdown, to_notebook
 from ramanujan.derivation.matrix import Modes, modes
 from ramanujan.derivation.model import COORDINATES, MOMENTA, Omega_squared, equation, machine
 from ramanujan.derivation.numbers import Numbers
 from ramanujan.derivation.order import InOrder
-from ramanujan.derivation.printers import colored
+from ramanujan.derivation.printers import apply_color
 from ramanujan.derivation.remarks import conserved_momenta
-from ramanujan.derivation.rows import Dress, Row, on_a_phone, row, rows
+from ramanujan.derivation.rows import Row, TermCommand, align_for_phone, row, rows
 from ramanujan.lesson.picture import machine_tikz
 from ramanujan.shell import theme
 from ramanujan.shell.cache import responsive, route
@@ -49,7 +49,12 @@ def step(
     symbolic = route(name, equal_masses).steps[number]
     adapted = symbolic.for_numbers(numbers)
     shown = rows(symbolic, numbers, partial(_row, numbers=numbers, inks=dict(inks)))
-    return adapted.heading, adapted.reason, typeset_beside_machine(shown, math.inf if wide else ROOM), on_a_phone(shown)
+    return (
+        adapted.heading,
+        adapted.reason,
+        typeset_beside_machine(shown, math.inf if wide else ROOM),
+        align_for_phone(shown),
+    )
 
 
 def all_routes() -> list[Route]:
@@ -123,16 +128,24 @@ def _modes() -> Modes:
     return modes(machine())
 
 
-def _row(symbolic: sp.Eq, label: str, dress: Dress, *, numbers: Numbers | None, inks: Mapping[str, str]) -> Row:
+def _row(
+    symbolic: sp.Eq,
+    label: str,
+    commands: tuple[TermCommand, ...],
+    *,
+    numbers: Numbers | None,
+    inks: Mapping[str, str],
+) -> Row:
     """Return an equation with the colours of the bodies: in a sum by terms, in a line about one body throughout."""
     if inks and isinstance(symbolic.rhs, InOrder):
-        dress += tuple((1, place, rf"\textcolor{{{inks[part]}}}") for place, part in enumerate(_owners(symbolic)))
-    symbols = {part: names(part, symbolic) for part in inks}
+        for place, part in enumerate(_owners(symbolic)):
+            commands += (TermCommand(1, place, rf"\textcolor{{{inks[part]}}}"),)
+    symbols = {part: symbols_of_part(part, symbolic) for part in inks}
     parts = [part for part in inks if symbols[part] or belongs_to(part, symbolic)]
     if len(parts) == 1 and belongs_to(parts[0], symbolic):
-        return _one_color(row(symbolic, numbers, label=label, dress=dress), inks[parts[0]])
+        return _one_color(row(symbolic, numbers, label=label, commands=commands), inks[parts[0]])
     highlight = tuple((symbol, inks[part]) for part in parts for symbol in sorted(symbols[part], key=str))
-    return row(symbolic, numbers, highlight, label, dress)
+    return row(symbolic, numbers, highlight, label, commands)
 
 
 def _owners(symbolic: sp.Eq) -> list[str]:
@@ -140,9 +153,9 @@ def _owners(symbolic: sp.Eq) -> list[str]:
     first_term = symbolic.rhs.args[0]
     if first_term.as_base_exp()[1] == _CUBE:
         return ["cube"]
-    return [part for part, own_terms in terms(symbolic).items() for _term in own_terms]
+    return [part for part, own_terms in terms_by_part(symbolic).items() for _term in own_terms]
 
 
 def _one_color(plain: Row, color: str) -> Row:
     """Return a row with all of its terms in one colour."""
-    return Row(colored(plain.left, color), tuple(colored(term, color) for term in plain.terms), plain.value)
+    return Row(apply_color(plain.left, color), tuple(apply_color(term, color) for term in plain.terms), plain.value)

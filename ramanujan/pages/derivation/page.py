@@ -10,7 +10,7 @@ from ramanujan.browser import components, stage
 from ramanujan.derivation import ROUTES, Step
 from ramanujan.derivation.energies import PARTS
 from ramanujan.derivation.nomenclature import DOTS
-from ramanujan.derivation.numbers import Numbers, stated
+from ramanujan.derivation.numbers import Numbers, state_numbers
 from ramanujan.derivation.remarks import remarks
 from ramanujan.pages.derivation import cache
 from ramanujan.pages.derivation.modes import MODES, draw_modes
@@ -229,7 +229,7 @@ def draw_equations(step: str, wide: str, narrow: str, questions: tuple[str, ...]
 def explain_symbols(setting: Setting) -> None:
     """Name the masses that the steps use, and explain the symbols."""
     if setting.numbers:
-        st.caption(stated(setting.numbers))
+        st.caption(state_numbers(setting.numbers))
     meanings = "\n".join(f"- {meaning}" for meaning in symbols(setting.route))
     st.expander(_("What the symbols of this route mean"), key="meanings").caption(f"{meanings}\n\n{DOTS}")
 

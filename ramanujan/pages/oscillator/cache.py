@@ -11,7 +11,7 @@ from ramanujan import UNIT_MASS_RATIO, normalized_frequency_squared
 from ramanujan.derivation import Step
 from ramanujan.derivation.model import epsilon
 from ramanujan.derivation.numbers import Numbers, unit_frequency_condition
-from ramanujan.derivation.rows import Row, aligned, rows
+from ramanujan.derivation.rows import Row, align, rows
 from ramanujan.figures import Drawn
 from ramanujan.figures.oscillator import Curve, Mark, frequency_curve
 from ramanujan.shell import theme
@@ -148,7 +148,7 @@ def _summary_step(wanted: Mapping[str, slice], given: Numbers | None) -> Summary
                 step.heading,
                 step.reason,
                 tuple(row for row in all_rows if row not in results),
-                aligned(all_rows, _BESIDE),
+                align(all_rows, _BESIDE),
             )
             for step, all_rows in steps.values()
         ),

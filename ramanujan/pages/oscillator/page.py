@@ -7,8 +7,8 @@ import streamlit as st
 
 from ramanujan import Oscillator
 from ramanujan.browser import components, stage
-from ramanujan.derivation.numbers import Numbers, stated
-from ramanujan.derivation.rows import Row, aligned, on_a_phone
+from ramanujan.derivation.numbers import Numbers, state_numbers
+from ramanujan.derivation.rows import Row, align, align_for_phone
 from ramanujan.numerals import filled, number
 from ramanujan.pages.oscillator import cache, story, texts
 from ramanujan.pages.oscillator.story import turns_gained
@@ -208,7 +208,7 @@ def draw_step(n: int, step: cache.SummaryStep, numbers: Numbers | None) -> None:
     for place, way in enumerate(step.ways):
         st.markdown(way.reason)
         draw_equations(f"{n}_{place}", way.between)
-    draw_numbers(n, step.numbers, cache.LINE_WIDTH, stated(numbers) if numbers else "")
+    draw_numbers(n, step.numbers, cache.LINE_WIDTH, state_numbers(numbers) if numbers else "")
 
 
 def draw_numbers(n: int, rows: Sequence[Row], width: int, stated: str = "") -> None:
@@ -222,7 +222,7 @@ def draw_numbers(n: int, rows: Sequence[Row], width: int, stated: str = "") -> N
 def draw_equations(key: str, rows: Sequence[Row], width: int = cache.LINE_WIDTH) -> None:
     """Draw equations aligned at their equals signs, if there are any."""
     if rows:
-        widgets.equations(key, aligned(rows, width), on_a_phone(rows))
+        widgets.equations(key, align(rows, width), align_for_phone(rows))
 
 
 def draw_slides(steps: list[cache.SummaryStep]) -> None:

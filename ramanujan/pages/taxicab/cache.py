@@ -15,7 +15,7 @@ import sympy as sp
 
 from ramanujan import normalized_frequency_squared, number_theory
 from ramanujan.derivation.model import epsilon, equation
-from ramanujan.derivation.numbers import unit_frequency_condition, with_decimal
+from ramanujan.derivation.numbers import format_with_decimal, unit_frequency_condition
 from ramanujan.derivation.printers import latex
 from ramanujan.number_theory import BodyChoice
 from ramanujan.shell.cache import responsive, route
@@ -72,7 +72,7 @@ def story(left: str, right: str, top: str, p: int = 1, q: int = 1) -> Story:
     return Story(
         machine,
         latex(equation(a * epsilon**2 + b * epsilon + c, sp.S.Zero)),
-        with_decimal(root, 7),
+        format_with_decimal(root, 7),
         float(number_theory.positive_root_digits(a, b, c, 40)),
         product_of_primes(machine.factorization),
         sums_of_cubes(machine.cubes),
