@@ -223,8 +223,8 @@ def displayed(given: Masses | None) -> Iterator[tuple[str, str, bool, str]]:
     yield from (("matrix", "", False, line) for line in (shape, *equations(momenta)))
     for (*_, key), step in zip(first_page.SUMMARY, first_page.summary.__wrapped__(numbers), strict=True):
         blocks = [
-            *(first_page.align(way.between, first_page.LINE_WIDTH) for way in step.ways),
-            *(way.equations for way in step.ways),
+            *(first_page.align(detail.details, first_page.LINE_WIDTH) for detail in step.steps),
+            *(detail.equations for detail in step.steps),
             first_page.align(step.numbers, first_page.LINE_WIDTH),
         ]
         of_blocks = [line for block in filter(None, blocks) for line in equations(block)]

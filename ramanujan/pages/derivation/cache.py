@@ -26,10 +26,10 @@ from ramanujan.shell.cache import responsive, route
 from ramanujan.shell.formulas import ROOM, typeset_beside_machine
 
 _CUBE = sp.Integer(3)
-"""The power of a side in a volume."""
+"""The exponent of a cube."""
 
 Inks = tuple[tuple[str, str], ...]
-"""Part of the machine, or the larger cube → its colour, #rrggbb."""
+"""Pairs of a part of the machine, or "cube" for the larger cube, and its colour, #rrggbb."""
 
 
 @st.cache_data(show_spinner=False, max_entries=1024)
@@ -42,19 +42,22 @@ def step(
     equal_masses: bool = False,
     wide: bool = False,
 ) -> tuple[str, str, str, str]:
-    """Return heading, reason and equations of a step of a route, counted from 0. Terms have the colours of the bodies.
+    """Return heading, reason and equations of a step, the equations as LaTeX for a window and for a phone.
 
-    The equations have two layouts: each operation is behind its line, or below its line for a phone.
+    Parameters
+    ----------
+    name : name of the route
+    number : number of the step, counted from 0
+    numbers : numbers to insert, or None for symbols
+    inks : colours of the terms
+    equal_masses : whether m′ = m
+    wide : whether each operation is behind its equation, whatever the width of the equation
     """
     symbolic = route(name, equal_masses).steps[number]
     adapted = symbolic.for_numbers(numbers)
-    shown = rows(symbolic, numbers, partial(_row, numbers=numbers, inks=dict(inks)))
-    return (
-        adapted.heading,
-        adapted.reason,
-        typeset_beside_machine(shown, math.inf if wide else ROOM),
-        align_for_phone(shown),
-    )
+    equations = rows(symbolic, numbers, partial(_row, numbers=numbers, inks=dict(inks)))
+    block = typeset_beside_machine(equations, math.inf if wide else ROOM)
+    return adapted.heading, adapted.reason, block, align_for_phone(equations)
 
 
 def all_routes() -> list[Route]:
@@ -65,14 +68,18 @@ def all_routes() -> list[Route]:
 @st.cache_data(show_spinner=False)
 def questions_of_step(name: str, number: int) -> tuple[str, ...]:
     """Return the questions that a step of a route, counted from 0, answers for the first time."""
-    steps = route(name).steps
+    step = route(name).steps[number]
+    return tuple(each for each in QUESTIONS if _answering_step(name, question(each)) is step)
 
-    def first(wanted: Question) -> Step | None:
-        if name == "euler_lagrange":
-            return route(name)[wanted.steps[-1]]
-        return next((step for step in steps if any(wanted.right in each.args for each in step.equations)), None)
 
-    return tuple(each for each in QUESTIONS if first(question(each)) is steps[number])
+def _answering_step(name: str, question: Question) -> Step | None:
+    """Return the first step of a route that answers a question, or None."""
+    if name == "euler_lagrange":
+        return route(name)[question.steps[-1]]
+    for step in route(name).steps:
+        if any(question.right in equation.args for equation in step.equations):
+            return step
+    return None
 
 
 @st.cache_resource(show_spinner=False)
@@ -86,15 +93,18 @@ def agrees(name: str) -> bool:
 def result(numbers: Numbers | None) -> list[str]:
     """Return Ω² as LaTeX in symbols and, if they are given, with numbers."""
     frequency = equation(Omega_squared, next(iter(all_routes())).natural_frequency_squared)
-    return [row(frequency, given).latex for given in ([None, numbers] if numbers else [None])]
+    lines = [row(frequency).latex]
+    if numbers:
+        lines.append(row(frequency, numbers).latex)
+    return lines
 
 
 @st.cache_data(show_spinner=False, max_entries=256)
 def spectrum(numbers: Numbers | None) -> tuple[list[str], str]:
     """Return the shapes of the three modes, the oscillating one first, and the conserved momenta of the zero modes."""
     all_modes = _modes()
-    name = dict(zip(COORDINATES, MOMENTA, strict=True))
-    momenta = [row(equation(name[q], p), numbers) for q, p in conserved_momenta().items()]
+    symbols = dict(zip(COORDINATES, MOMENTA, strict=True))
+    momenta = [row(equation(symbols[q], momentum), numbers) for q, momentum in conserved_momenta().items()]
     shapes = [row(equation("v", shape), numbers).latex for shape in (all_modes.mode_shape, *all_modes.zero_modes)]
     return shapes, typeset_beside_machine(momenta)
 
@@ -109,9 +119,16 @@ def document(
     *,
     equal_masses: bool = False,
 ) -> str:
-    """Return a route as LaTeX, Markdown or a notebook, or its slides, in symbols or with numbers.
+    """Return a route as a file, in symbols or with numbers.
 
-    The picture on the slides has the radius and the compression [m] in `drawn`. A notebook works for any masses.
+    Parameters
+    ----------
+    name : name of the route
+    numbers : numbers to insert, or None for symbols
+    kind : a key of `FILES` on the page. A notebook is always for any masses.
+    drawn : radius and compression of the machine on the slides [m]
+    step : number of the step for the kind "step", counted from 1
+    equal_masses : whether m′ = m
     """
     chosen_route = route(name, equal_masses and kind != "notebook")
     if drawn and kind in ("slides", "step"):
@@ -136,22 +153,29 @@ def _row(
     numbers: Numbers | None,
     inks: Mapping[str, str],
 ) -> Row:
-    """Return an equation with the colours of the bodies: in a sum by terms, in a line about one body throughout."""
+    """Return an equation with the colours of the bodies.
+
+    In a sum of contributions, each term has the colour of its body. An equation about a single body has one colour.
+    Otherwise the symbols of each body have its colour.
+    """
+    right_side = 1
     if inks and isinstance(symbolic.rhs, InOrder):
-        for place, part in enumerate(_owners(symbolic)):
-            commands += (TermCommand(1, place, rf"\textcolor{{{inks[part]}}}"),)
+        for index, part in enumerate(_owners(symbolic)):
+            commands += (TermCommand(right_side, index, rf"\textcolor{{{inks[part]}}}"),)
     symbols = {part: symbols_of_part(part, symbolic) for part in inks}
     parts = [part for part in inks if symbols[part] or belongs_to(part, symbolic)]
     if len(parts) == 1 and belongs_to(parts[0], symbolic):
         return _one_color(row(symbolic, numbers, label=label, commands=commands), inks[parts[0]])
-    highlight = tuple((symbol, inks[part]) for part in parts for symbol in sorted(symbols[part], key=str))
-    return row(symbolic, numbers, highlight, label, commands)
+    highlight = []
+    for part in parts:
+        highlight += [(symbol, inks[part]) for symbol in sorted(symbols[part], key=str)]
+    return row(symbolic, numbers, tuple(highlight), label, commands)
 
 
 def _owners(symbolic: sp.Eq) -> list[str]:
-    """Return for each term of a sum the part of the machine, or the cube, that gives it its colour."""
-    first_term = symbolic.rhs.args[0]
-    if first_term.as_base_exp()[1] == _CUBE:
+    """Return the part of the machine for each term of a sum. For a sum of two cubes, return "cube" for the first."""
+    _base, exponent = symbolic.rhs.args[0].as_base_exp()
+    if exponent == _CUBE:
         return ["cube"]
     return [part for part, own_terms in terms_by_part(symbolic).items() for _term in own_terms]
 

@@ -30,7 +30,7 @@ def draw_modes(numbers: Numbers | None) -> None:
     if not is_projector():
         with formulas:
             st.latex(momenta)
-    shown = (
+    modes = (
         (
             "swing",
             _("The machine oscillates"),
@@ -56,7 +56,7 @@ def draw_modes(numbers: Numbers | None) -> None:
             ),
         ),
     )
-    for column, (key, title, explanation), shape in zip(st.columns(3), shown, shapes, strict=True):
+    for column, (key, title, explanation), shape in zip(st.columns(3), modes, shapes, strict=True):
         with column:
             stages.mount(
                 None, key=f"mode_{key}", clock="modes", layers=(), compact=True, label=title, address_prefix="modes_"
@@ -70,7 +70,7 @@ def draw_modes(numbers: Numbers | None) -> None:
 def publish_machine() -> None:
     """Publish the machine to the three stages. A slider reruns only this fragment of the section."""
     machine, compression = sidebar.oscillator(), sidebar.compression()
-    # Slow enough to watch: half of x₀ in the time of one period.
+    # A speed that the eye can follow: half of x₀ in the time of one period.
     speed = compression / 2 / machine.period
     starts = {"swing": None, "glide": InitialState(X_dot=speed), "roll": InitialState(Phi_dot=speed / machine.radius)}
     for key, initial in starts.items():

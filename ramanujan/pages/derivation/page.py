@@ -22,6 +22,7 @@ from ramanujan.shell.sections.questions import QUESTION, draw_question, draw_sec
 from ramanujan.translation import _
 
 LONGEST_ROUTE = 99
+"""Largest number of a step in the address."""
 ROUTE = address.Choice("route", tuple(ROUTES), "euler_lagrange")
 VIEW = address.Choice("show", {"lecture": _("One step"), "reading": _("All steps")}, "lecture")
 # TRANSLATORS: a choice: equations are shown in symbols or with numbers.
@@ -31,8 +32,8 @@ STEP = address.Count("step", LONGEST_ROUTE)
 URL_PARAMETERS = (ROUTE, VIEW, VALUES, MASSES, STEP, QUESTION, *MODES)
 
 FOLDED_PARAMETERS = ("compression",)
-# The height of a step in a lecture [px], as in page.css.
 _STEP_HEIGHT = 368
+"""Height of a step in a lecture [px], as in page.css."""
 
 FILES = {
     "latex": ("LaTeX", "tex", "application/x-tex"),
@@ -41,11 +42,12 @@ FILES = {
     "markdown": ("Markdown", "md", "text/markdown"),
     "notebook": (_("Notebook"), "ipynb", "application/x-ipynb+json"),
 }
+"""Kind of a file → its label, the end of its name, and its media type."""
 
 
 @dataclass(frozen=True)
 class Setting:
-    """How a route is shown: one step at a time or all, for any masses or m′ = m, with numbers or in symbols."""
+    """The values of the display options: one step at a time or all, any masses or m′ = m, numbers or symbols."""
 
     route: str
     is_lecture: bool
@@ -105,7 +107,8 @@ def read_setting() -> Setting:
     """Return the values of the options. The projector view shows one step at a time."""
     in_numbers = address.current(VALUES) == "numbers" and not display_mode.hides("numbers")
     is_lecture = address.current(VIEW) == "lecture" or display_mode.is_projector()
-    equal_masses, numbers = address.current(MASSES) == "equal", current_numbers() if in_numbers else None
+    equal_masses = address.current(MASSES) == "equal"
+    numbers = current_numbers() if in_numbers else None
     if numbers and equal_masses:
         numbers = numbers.with_equal_masses
     return Setting(address.current(ROUTE), is_lecture, equal_masses, numbers)
@@ -155,9 +158,10 @@ def turn_pages(setting: Setting) -> None:
     address.update(STEP)
     machine = sidebar.oscillator()
     if setting.is_lecture:
-        keys = [step.key for step in setting.steps]
-        components.steps(setting.route, [step.heading for step in setting.steps], select_step, keys[-1] == "root")
-        if keys[min(address.current(STEP), len(keys)) - 1] == "root":
+        steps = setting.steps
+        components.steps(setting.route, [step.heading for step in steps], select_step, steps[-1].key == "root")
+        current_step = steps[min(address.current(STEP), len(steps)) - 1]
+        if current_step.key == "root":
             machine = replace(machine, m_prime=UNIT_MASS_RATIO * machine.m)
     stages.publish(stage.payload(machine, sidebar.compression()), key="beside", more=sidebar.followed())
 
@@ -200,8 +204,10 @@ def draw_step(setting: Setting, number: int) -> None:
         with st.container(key="figure"):
             draw_stacks()
     st.markdown(f"## {number}. {heading}\n\n{reason}")
-    questions = () if setting.numbers or setting.equal_masses else cache.questions_of_step(setting.route, number - 1)
-    draw_equations(f"{setting.route}_{number}", wide, narrow, questions if not display_mode.is_projector() else ())
+    questions: tuple[str, ...] = ()
+    if not (setting.numbers or setting.equal_masses or display_mode.is_projector()):
+        questions = cache.questions_of_step(setting.route, number - 1)
+    draw_equations(f"{setting.route}_{number}", wide, narrow, questions)
     if is_last:
         onward = navigation.PAGES["taxicab"]
         with st.container(key="onward"):
@@ -210,15 +216,19 @@ def draw_step(setting: Setting, number: int) -> None:
 
 @st.fragment
 def draw_equations(step: str, wide: str, narrow: str, questions: tuple[str, ...]) -> None:
-    """Draw the equations of a step. If it has a question, show them after a correct answer."""
+    """Draw the equations of a step. If the visitor wants to type an answer first, draw them after the right answer.
+
+    Parameters
+    ----------
+    step : key of the step: the route and the number of the step
+    wide, narrow : the equations for a window and for a phone
+    questions : names of the questions that the step answers
+    """
     route = step.rpartition("_")[0]
     if questions and st.toggle(_("Type it yourself first"), key=f"first_{route}_{questions[0]}"):
-        key = f"asked_{route}_{questions[0]}"
-        name = (
-            questions[0]
-            if len(questions) == 1
-            else st.selectbox(_("Which one?"), questions, format_func=title, key=key)
-        )
+        name = questions[0]
+        if len(questions) > 1:
+            name = st.selectbox(_("Which one?"), questions, format_func=title, key=f"asked_{route}_{name}")
         judge_typed(name, route)
         draw_question(name, with_step=False, route=route)
         if not is_solved(name):
@@ -238,22 +248,18 @@ def explain_symbols(setting: Setting) -> None:
 def offer_files(setting: Setting) -> None:
     """Offer the route and the current step as files, which are written when the popover opens."""
     drawn = sidebar.oscillator().radius, sidebar.compression()
-    # The address contains the current step by the time this opens.
+    name = f"ramanujan-{setting.route}-numbers" if setting.numbers else f"ramanujan-{setting.route}"
     with st.popover(_("Download this route"), icon=":material/download:", key="files", on_change="rerun") as files:
         for kind, (label, suffix, mime) in FILES.items():
             if kind == "step" and not setting.is_lecture:
                 continue
-            step = address.current(STEP) if kind == "step" else None
-            widgets.download(
-                label,
-                cache.document(setting.route, setting.numbers, kind, drawn, step, equal_masses=setting.equal_masses)
-                if files.open
-                else "",
-                f"ramanujan-{setting.route}{'-numbers' if setting.numbers else ''}.{suffix}",
-                mime,
-                key=f"file_{kind}",
-                disabled=not files.open,
-            )
+            content = ""
+            if files.open:
+                step = address.current(STEP) if kind == "step" else None
+                content = cache.document(
+                    setting.route, setting.numbers, kind, drawn, step, equal_masses=setting.equal_masses
+                )
+            widgets.download(label, content, f"{name}.{suffix}", mime, key=f"file_{kind}", disabled=not files.open)
 
 
 # ---- comparison of the routes
@@ -269,13 +275,13 @@ def compare_routes() -> None:
             st.latex(line)
     with words:
         with st.container(horizontal=True):
-            for way in cache.all_routes():
-                agrees = cache.agrees(way.name)
+            for route in cache.all_routes():
+                agrees = cache.agrees(route.name)
                 st.page_link(
                     navigation.PAGES["derivation"].file,
-                    label=_("{route}, {n} steps").format(route=way.title, n=len(way.steps)),
+                    label=_("{route}, {n} steps").format(route=route.title, n=len(route.steps)),
                     icon=":material/check:" if agrees else ":material/close:",
-                    query_params={ROUTE.name: way.name},
+                    query_params={ROUTE.name: route.name},
                 )
         st.markdown(_("SymPy has checked that the difference between any two results is exactly 0."))
 

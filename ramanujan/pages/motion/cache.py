@@ -23,9 +23,10 @@ PERIODS = 2
 HEIGHT = 1080
 """Height of a figure that fills the screen [px]."""
 POINTS = math.ceil(2 * math.pi * PERIODS / math.acos(1 - 1 / HEIGHT)) + 1
-"""The fewest points for an error below half a pixel, for a cosine with two cycles per period, such as an energy.
+"""The fewest points that draw a cosine with two cycles per period, such as an energy, to within half a pixel.
 
-The chord of a crest has the error ½·height·(1 − cos ½δ), where δ is the phase step of the cosine.
+The straight line between two points misses a crest of the cosine by ½·height·(1 − cos ½δ). Here δ is the phase between
+two points.
 """
 
 CONTACTS = {
@@ -36,11 +37,12 @@ CONTACTS = {
 }
 """Contact → the two bodies that touch there."""
 _CM = 100.0
-# Hoop and lower cylinder move together: one line is broad, the other dashed on top of it.
+"""Centimetres in a metre."""
 _LINES: dict[str, dict[str, Any]] = {
     "hoop": {"width": 5.0},
     "cylinder": {"dash": "6px 6px"},
 }
+"""Styles of two lines that coincide, because hoop and lower cylinder move together: a broad and a dashed line."""
 _ENERGIES = {"": _("{body}"), "translation": _("{body}, translation"), "rotation": _("{body}, rotation")}
 """Kind of energy → template for the name of a body's energy."""
 
@@ -73,30 +75,39 @@ def record(machine: Oscillator, compression: float, glide: float, spin: float) -
 def figures(
     view: str, light_or_dark: str, machine: Oscillator, compression: float, glide: float, spin: float
 ) -> tuple[Drawn, ...]:
-    """Return the figures of a view, a key of `VIEWS`, in the current theme; the other parameters as for `record`."""
+    """Return the figures of a view in the current theme.
+
+    Parameters
+    ----------
+    view : a key of `VIEWS`
+    light_or_dark : name of the current theme, a key of the cache
+    machine, compression, glide, spin : as for `record`
+    """
     motion, colors = record(machine, compression, glide, spin), theme.colors()
     return tuple(draw(motion, colors) for draw in VIEWS[view])
 
 
 def _displacements(motion: Record, colors: Mapping[str, str]) -> Drawn:
     """Draw the displacements of the bodies relative to the ground and to the block."""
-    places = (
-        (_("relative to the ground"), motion.ground_positions),
-        (_("relative to the block"), motion.relative_positions),
-    )
-    panels = [
-        _panel(title, "cm", [_of_body(body, _CM * x, colors, **_LINES.get(body, {})) for body, x in bodies.items()])
-        for title, bodies in places
-    ]
+    frames = {
+        _("relative to the ground"): motion.ground_positions,
+        _("relative to the block"): motion.relative_positions,
+    }
+    panels = []
+    for title, positions in frames.items():
+        curves = [_body_curve(body, _CM * x, colors, **_LINES.get(body, {})) for body, x in positions.items()]
+        panels.append(_panel(title, "cm", curves))
     return _over_time(motion, panels, colors)
 
 
 def _orbits(motion: Record, colors: Mapping[str, str]) -> Drawn:
     """Draw one orbit for each coordinate: slab and top cylinder relative to the block, block relative to the ground."""
-    to_block = motion.relative_positions, motion.relative_velocities
-    shown = {"slab": to_block, "block": (motion.ground_positions, motion.ground_velocities), "top": to_block}
-    curves = [_of_body(body, _CM * x[body], colors) for body, (x, _v) in shown.items()]
-    velocities = [_CM * v[body] for body, (_x, v) in shown.items()]
+    relative = motion.relative_positions, motion.relative_velocities
+    ground = motion.ground_positions, motion.ground_velocities
+    curves, velocities = [], []
+    for body, (x, v) in {"slab": relative, "block": ground, "top": relative}.items():
+        curves.append(_body_curve(body, _CM * x[body], colors))
+        velocities.append(_CM * v[body])
     return phase_plane(curves, velocities, period=motion.oscillator.period, periods=PERIODS, colors=colors)
 
 
@@ -105,7 +116,7 @@ def _energy(motion: Record, colors: Mapping[str, str]) -> Drawn:
     curves = []
     for key, values in motion.energies.items():
         body, _between, kind = key.partition("_")
-        curve = _of_body(body, values * 1e3, colors, stacked=True, hatched=kind == "rotation")
+        curve = _body_curve(body, values * 1e3, colors, stacked=True, hatched=kind == "rotation")
         curves.append(replace(curve, name=energy_name(key)))
     total = 1e3 * motion.total_energy
     curves.append(Curve(_("total energy"), total, colors["ink"], _("total energy"), width=3))
@@ -115,10 +126,10 @@ def _energy(motion: Record, colors: Mapping[str, str]) -> Drawn:
 
 def _momentum(motion: Record, colors: Mapping[str, str]) -> Drawn:
     """Draw the momentum of each body, which oscillates, and the two conserved momenta, which are constant."""
-    curves = [
-        _of_body(body, values, colors, **{**_LINES.get(body, {}), "width": 1.5})
-        for body, values in motion.body_momenta.items()
-    ]
+    curves = []
+    for body, values in motion.body_momenta.items():
+        look = _LINES.get(body, {}) | {"width": 1.5}
+        curves.append(_body_curve(body, values, colors, **look))
     conserved = {
         _("total: −<i>p</i><sub>X</sub>"): (-motion.momenta["p_X"], "ink", "solid"),
         "<i>p</i><sub>Φ</sub><i>/R</i>": (motion.momenta["p_Phi"] / motion.oscillator.radius, "primary", "10px 6px"),
@@ -151,10 +162,11 @@ def _contact_curve(contact: str, values: np.ndarray, colors: Mapping[str, str]) 
     dash = "solid" if other == "slab" or body == "top" else "7px 5px"
     # TRANSLATORS: the same in short: hoop–slab.
     label = _("{body}–{other}").format(body=PARTS[body], other=PARTS[other])
-    return replace(_of_body(body, values, colors, dash=dash), name=CONTACTS[contact], label=label)
+    return replace(_body_curve(body, values, colors, dash=dash), name=CONTACTS[contact], label=label)
 
 
-def _of_body(body: str, values: np.ndarray, colors: Mapping[str, str], **look: Any) -> Curve:
+def _body_curve(body: str, values: np.ndarray, colors: Mapping[str, str], **look: Any) -> Curve:
+    """Return a curve with the name and the colour of a body."""
     return Curve(PARTS[body], values, colors[body], PARTS[body], **look)
 
 

@@ -40,15 +40,15 @@ def columns(motion: Record) -> dict[str, np.ndarray]:
     friction = dict(motion.forces)
     spring = friction.pop("spring")
     groups = (
-        (_("displacement relative to the ground: {name} [m]"), _by(PARTS, motion.ground_positions)),
-        (_("displacement relative to the block: {name} [m]"), _by(PARTS, motion.relative_positions)),
-        (_("velocity relative to the ground: {name} [m/s]"), _by(PARTS, motion.ground_velocities)),
-        (_("velocity relative to the block: {name} [m/s]"), _by(PARTS, motion.relative_velocities)),
+        (_("displacement relative to the ground: {name} [m]"), _rename(PARTS, motion.ground_positions)),
+        (_("displacement relative to the block: {name} [m]"), _rename(PARTS, motion.relative_positions)),
+        (_("velocity relative to the ground: {name} [m/s]"), _rename(PARTS, motion.ground_velocities)),
+        (_("velocity relative to the block: {name} [m/s]"), _rename(PARTS, motion.relative_velocities)),
         (_("energy: {name} [J]"), energies | {_("total energy"): motion.total_energy}),
-        (_("momentum: {name} [kg·m/s]"), _by(PARTS, motion.body_momenta)),
-        (_("friction: {name} [N]"), _by(cache.CONTACTS, friction)),
+        (_("momentum: {name} [kg·m/s]"), _rename(PARTS, motion.body_momenta)),
+        (_("friction: {name} [N]"), _rename(cache.CONTACTS, friction)),
         (_("force: {name} [N]"), {PARTS["spring"]: spring}),
-        (_("normal force: {name} [N]"), _by(cache.CONTACTS, motion.normal_forces)),
+        (_("normal force: {name} [N]"), _rename(cache.CONTACTS, motion.normal_forces)),
     )
     for header, group in groups:
         series |= {header.format(name=name): values for name, values in group.items()}
@@ -65,10 +65,10 @@ def _results(motion: Record, friction_coefficient: float) -> list[tuple[str, Cel
         (_("period, T [s]"), motion.oscillator.period),
         (_("distance between the axes of the lower rollers [m]"), motion.spacing),
         (_("largest compression without slip [m]"), largest),
-        *((contact.format(name=name), float(value)) for name, value in _by(cache.CONTACTS, needed).items()),
+        *((contact.format(name=name), float(value)) for name, value in _rename(cache.CONTACTS, needed).items()),
     ]
 
 
-def _by(names: dict[str, str], values: dict[str, Value]) -> dict[str, Value]:
-    """Return the values by the names of their keys."""
-    return {names[key]: each for key, each in values.items()}
+def _rename(names: dict[str, str], values: dict[str, Value]) -> dict[str, Value]:
+    """Return the values under the names of their keys."""
+    return {names[key]: value for key, value in values.items()}

@@ -59,6 +59,7 @@ def show() -> None:
                 components.cursor("motion")
         with picture, verdict_column, st.container(key="verdict"):
             draw_verdict(friction, compression)
+    # In the projector view the time cursor is on every slide.
     if display_mode.is_projector():
         components.cursor("motion")
     draw_figures(motion, friction, setting)
@@ -66,11 +67,9 @@ def show() -> None:
 
 def draw_machine(motion: Record, friction: Friction) -> None:
     """Draw the machine in motion, with a mark at each contact that slips."""
-    slips = motion.compression > friction.largest
+    slipping = friction.first if motion.compression > friction.largest else None
     stages.mount(
-        stage.payload(
-            motion.oscillator, motion.compression, initial=motion.initial, slipping=friction.first if slips else None
-        ),
+        stage.payload(motion.oscillator, motion.compression, initial=motion.initial, slipping=slipping),
         name="motion",
         layers=("forces",),
         dials=False,
@@ -79,19 +78,17 @@ def draw_machine(motion: Record, friction: Friction) -> None:
 
 
 def draw_verdict(friction: Friction, compression: float) -> None:
-    """Say whether every contact rolls, in sentences of about the same length."""
-    holds = compression <= friction.largest
-    sentence = (
-        _(
+    """Draw whether every contact rolls. The two texts have about the same length, so that nothing else moves."""
+    if compression <= friction.largest:
+        sentence = _(
             ":green[:material/check_circle: **Every contact rolls without slipping.**] With μ\u00a0=\u00a0{mu} this is "
             "true up to x₀\u00a0=\u00a0{largest:3↓ cm}. Beyond that, the contact between **{contact}** slips first."
         )
-        if holds
-        else _(
+    else:
+        sentence = _(
             ":red[:material/error: **The model no longer holds.**] With μ\u00a0=\u00a0{mu}, the contact between "
             "**{contact}** slips from x₀\u00a0=\u00a0{largest:3↑ cm} on. The picture still shows rolling."
         )
-    )
     # An alert of Streamlit would be a second live region, and the stage already announces the slipping contact.
     values = {"mu": fixed(friction.coefficient, 2), "largest": 100 * friction.largest}
     text = filled(sentence, **values, contact=cache.CONTACTS[friction.first])
@@ -108,12 +105,12 @@ def offer_pause(motion: Record) -> None:
 
 
 def greatest_friction(motion: Record) -> tuple[float, str]:
-    """Return when within the first period a contact needs the most friction [s], and the contact."""
-    first_period = motion.t <= motion.oscillator.period
-    needed = {
-        name: (np.abs(motion.forces[name]) / normal)[first_period] for name, normal in motion.normal_forces.items()
-    }
-    first = max(needed, key=lambda name: needed[name].max())
+    """Return the instant in the first period at which a contact needs the most friction [s], and the contact."""
+    is_first_period = motion.t <= motion.oscillator.period
+    needed = {}
+    for contact, normal in motion.normal_forces.items():
+        needed[contact] = (np.abs(motion.forces[contact]) / normal)[is_first_period]
+    first = max(needed, key=lambda contact: needed[contact].max())
     return float(motion.t[needed[first].argmax()]), first
 
 
@@ -140,24 +137,28 @@ def offer_files(motion: Record, mu: float) -> None:
 
 def draw_figures(motion: Record, friction: Friction, setting: cache.Setting) -> None:
     """Draw the figures of the open view, or in the projector view a slide for each view."""
-    projector = display_mode.is_projector()
-    shows = {"displacements": plots.draw_displacements, "energy": plots.draw_energy, "momentum": plots.draw_momentum}
-    shows["forces"] = plots.draw_contact_forces if projector else partial(plots.draw_forces, friction=friction)
-    if projector:
-        places = {view: slide(view, title) for view, title in FIGURES.items()}
+    is_projector = display_mode.is_projector()
+    draw_functions = {
+        "displacements": plots.draw_displacements,
+        "energy": plots.draw_energy,
+        "momentum": plots.draw_momentum,
+        "forces": plots.draw_contact_forces if is_projector else partial(plots.draw_forces, friction=friction),
+    }
+    if is_projector:
+        containers = {view: slide(view, title) for view, title in FIGURES.items()}
     else:
-        places = {view: tab for view, tab in widgets.tabs(FIGURE).items() if tab.open}
-    for view, place in places.items():
-        with place:
-            if not projector:
+        containers = {view: tab for view, tab in widgets.tabs(FIGURE).items() if tab.open}
+    for view, container in containers.items():
+        with container:
+            if not is_projector:
                 with st.container(horizontal=True):
                     offer_files(motion, friction.coefficient)
                     if view == "forces":
                         offer_pause(motion)
-            shows[view](motion, cache.figures(view, theme.current(), *setting))
+            draw_functions[view](motion, cache.figures(view, theme.current(), *setting))
             if view == "forces":
                 plots.explain_forces(motion)
-    if projector:
+    if is_projector:
         with slide("friction", _("Friction needed")):
             plots.draw_required_friction(motion, friction)
 

@@ -21,7 +21,14 @@ from ramanujan.translation import _
 
 @dataclass(frozen=True)
 class Friction:
-    """The limit of static friction: the largest compression [m] without slip, and the contact that slips first."""
+    """The limit of static friction.
+
+    Parameters
+    ----------
+    coefficient : μ
+    largest : largest compression without slip [m]
+    first : the contact that slips first
+    """
 
     coefficient: float
     largest: float
@@ -31,15 +38,13 @@ class Friction:
 def draw_displacements(motion: Record, drawn: tuple[Drawn, ...]) -> None:
     """Draw displacements over time and the phase plane, and explain the two initial velocities."""
     time, plane = st.columns([3, 2])
-    farthest = {
-        body: 100 * abs(motion.ground_positions[body] - motion.ground_positions[body][0]).max()
-        for body in PARTS
-        if body != "spring"
-    }
-    end = motion.t[-1]
-    # Rounding errors may leave a small drift.
-    drifts = ((x[-1] - x[0]) / end * 100 for x in (motion.ground_positions["block"], motion.relative_positions["top"]))
-    block, top = (round(float(drift), 9) for drift in drifts)
+    farthest = {}
+    for body in PARTS:
+        if body != "spring":
+            x = motion.ground_positions[body]
+            farthest[body] = 100 * abs(x - x[0]).max()
+    block = _drift(motion.ground_positions["block"], motion)
+    top = _drift(motion.relative_positions["top"], motion)
     alternative = [
         _("Displacements over time."),
         _("The whole machine glides steadily, and the slab oscillates about this drift.")
@@ -49,14 +54,17 @@ def draw_displacements(motion: Record, drawn: tuple[Drawn, ...]) -> None:
         _("Greatest distance from the start, relative to the ground: {distances}."),
     ]
     with time:
-        draw_chart(drawn[0], "displacements", " ".join(alternative).format(distances=listed(PARTS, farthest, "cm")))
+        draw_chart(
+            drawn[0], "displacements", " ".join(alternative).format(distances=list_values(PARTS, farthest, "cm"))
+        )
     ellipse = _(
         "Phase plane: velocity over displacement. Relative to the block the slab runs around a closed ellipse, because "
         "it oscillates with one frequency. It reaches ±{displacement:3 cm} and ±{velocity:3 cm/s}."
     )
-    x, v = 100 * motion.compression, 100 * motion.compression * motion.oscillator.natural_frequency
+    amplitude = 100 * motion.compression
+    top_speed = amplitude * motion.oscillator.natural_frequency
     with plane:
-        draw_chart(drawn[1], "phase_plane", filled(ellipse, displacement=x, velocity=v))
+        draw_chart(drawn[1], "phase_plane", filled(ellipse, displacement=amplitude, velocity=top_speed))
     sentences = [
         _("In the phase plane the block moves relative to the ground, the others relative to the block."),
         _(
@@ -71,16 +79,22 @@ def draw_displacements(motion: Record, drawn: tuple[Drawn, ...]) -> None:
             "cylinder relative to it."
         )
         sentences.append(filled(sentence, block=block, top=top))
+    # The text about the initial velocities is below the displacements, the other one below the phase plane.
     about_plane, *about_modes = sentences
     for column, text in zip(columns("displacements"), (" ".join(about_modes), about_plane), strict=True):
         with column:
             st.caption(text)
 
 
+def _drift(x: np.ndarray, motion: Record) -> float:
+    """Return the mean velocity over all periods [cm/s], without rounding errors."""
+    return round(float((x[-1] - x[0]) / motion.t[-1] * 100), 9)
+
+
 def draw_energy(motion: Record, drawn: tuple[Drawn, ...]) -> None:
     """Draw the energies, stacked."""
     total = motion.total_energy
-    spread = max(float(abs(total - total[0]).max() / total[0]), np.finfo(float).eps)
+    error = max(float(abs(total - total[0]).max() / total[0]), np.finfo(float).eps)
     peaks = {}
     for body in PARTS:
         if body != "spring":
@@ -105,13 +119,13 @@ def draw_energy(motion: Record, drawn: tuple[Drawn, ...]) -> None:
         sentences.append(_("The initial velocities add the rest."))
     spring = 1e3 * motion.energies["spring"][0]
     with words:
-        st.caption(filled(" ".join(sentences), total=1e3 * total[0], error=spread, spring=spring))
+        st.caption(filled(" ".join(sentences), total=1e3 * total[0], error=error, spring=spring))
 
 
 def draw_momentum(motion: Record, drawn: tuple[Drawn, ...]) -> None:
     """Draw the momenta of the bodies and the two conserved momenta."""
     p_X, p_Phi = (float(motion.momenta[name][0]) for name in ("p_X", "p_Phi"))
-    of_X, _of_phi, of_Phi = map(latex, MOMENTA)
+    X_symbol, _phi_symbol, Phi_symbol = map(latex, MOMENTA)
     alternative = _(
         "Momentum of each body over time. The bodies exchange momentum, but two lines are flat, because two momenta "
         "are conserved: all bodies together {all:3 kg m/s}, p_Φ/R {top:3 kg m/s}."
@@ -126,7 +140,7 @@ def draw_momentum(motion: Record, drawn: tuple[Drawn, ...]) -> None:
         "initial velocities and watch both lines move."
     )
     with words:
-        st.caption(sentence.format(p_X=of_X, p_Phi=of_Phi))
+        st.caption(sentence.format(p_X=X_symbol, p_Phi=Phi_symbol))
 
 
 def draw_forces(motion: Record, drawn: tuple[Drawn, ...], friction: Friction) -> None:
@@ -145,7 +159,7 @@ def draw_contact_forces(motion: Record, drawn: tuple[Drawn, ...]) -> None:
         "Contact forces over time: friction follows the motion of the spring, and the slab’s weight shifts between the "
         "rollers. Greatest friction: {forces}."
     )
-    draw_chart(drawn[0], "contact_forces", alternative.format(forces=listed(cache.CONTACTS, strongest, "N")))
+    draw_chart(drawn[0], "contact_forces", alternative.format(forces=list_values(cache.CONTACTS, strongest, "N")))
 
 
 def explain_forces(motion: Record) -> None:
@@ -180,7 +194,9 @@ def draw_required_friction(motion: Record, friction: Friction) -> None:
     alternative = _(
         "Friction coefficient that each contact needs; a contact that needs more than μ = {mu} slips. {needed}."
     )
-    draw_chart(bars, "friction_needed", alternative.format(mu=fixed(mu, 2), needed=listed(cache.CONTACTS, needed, "")))
+    draw_chart(
+        bars, "friction_needed", alternative.format(mu=fixed(mu, 2), needed=list_values(cache.CONTACTS, needed, ""))
+    )
     sentence = _("Largest compression without slip: **{length:3↓ cm}**")
     st.markdown(filled(sentence, length=100 * friction.largest))
     explain_friction()
@@ -191,12 +207,13 @@ def draw_chart(figure: Drawn, name: str, alt: str) -> None:
     drawings.plot(figure, f"figure_{name}", alt, config={"displaylogo": False})
 
 
-def listed(names: dict[str, str], values: dict[str, float], unit: str) -> str:
-    """Return names with their values for a text alternative."""
-    item = _("{name}: {value}")
-    return "; ".join(
-        item.format(name=names[key], value=quantity(float(value), unit, 3)) for key, value in values.items()
-    )
+def list_values(names: dict[str, str], values: dict[str, float], unit: str) -> str:
+    """Return names with their values as a list in one line, for a text alternative."""
+    template = _("{name}: {value}")
+    items = []
+    for key, value in values.items():
+        items.append(template.format(name=names[key], value=quantity(float(value), unit, 3)))
+    return "; ".join(items)
 
 
 def centimetres(metres: float) -> str:

@@ -48,7 +48,7 @@ def curve() -> Curve:
 
 
 def unit_ratio() -> str:
-    """Return ε* as an exact expression."""
+    """Return ε* as text, an exact expression with a root."""
     condition = unit_frequency_condition()
     numerator, denominator = sp.fraction(condition.root)
     root = f"({sp.sstr(numerator, order='rev-lex')})/{denominator}".replace("-", "−")
@@ -60,8 +60,8 @@ def discriminant() -> int:
     return int(unit_frequency_condition().discriminant)
 
 
-def taxicab() -> str:
-    """Return the unit-frequency condition with a completed square as text, (…)² = 1729."""
+def completed_square() -> str:
+    """Return the unit-frequency condition as text, with a completed square: (…)² = 1729."""
     condition = unit_frequency_condition()
     numerator, denominator = sp.fraction(condition.root)
     shift = sp.sqrt(condition.discriminant) - numerator
@@ -75,39 +75,46 @@ def equal_masses_value() -> str:
 
 @st.cache_resource(show_spinner=False, max_entries=4)
 def figure(light_or_dark: str) -> Drawn:
-    """Return the figure of the curve in the current theme. It is the same for every machine."""
+    """Return the figure of the curve, which is the same for every machine. The theme's name is the key of the cache."""
     return frequency_curve(curve(), theme.colors())
 
 
 @dataclass(frozen=True)
 class StepDetail:
-    """A derivation of results: a step of the route, its equations between them, and all of its equations as LaTeX."""
+    """A step of the route that contributes to a line of the short derivation.
+
+    Parameters
+    ----------
+    heading, reason : texts of the step
+    details : its equations without the results of the line
+    equations : all of its equations as one block of LaTeX
+    """
 
     heading: str
     reason: str
-    between: tuple[Row, ...]
+    details: tuple[Row, ...]
     equations: str
 
 
 @dataclass(frozen=True)
 class SummaryStep:
-    """A line of the short derivation. All formulas are LaTeX.
+    """A line of the short derivation. The results are LaTeX.
 
     Parameters
     ----------
     heading : heading of the line
     results : the equations that the folded line shows, without the marks of an operation
-    ways : the steps of the route that lead to them
-    numbers : the equations of the last step, and the other results, with the current numbers
+    steps : the steps of the route that lead to the results
+    numbers : the results and all equations of the last step, with the current numbers
     """
 
     heading: str
     results: tuple[str, ...]
-    ways: tuple[StepDetail, ...]
+    steps: tuple[StepDetail, ...]
     numbers: tuple[Row, ...]
 
 
-LINE_WIDTH, _BESIDE = 60, 40
+LINE_WIDTH, _NARROW_WIDTH = 60, 40
 """Number of characters of a formula that fit into a window of 1280 px, and next to the machine."""
 _NONE, _FIRST, _LAST, _ALL = slice(0), slice(1), slice(-1, None), slice(None)
 SUMMARY: tuple[Mapping[str, slice], ...] = (
@@ -118,39 +125,51 @@ SUMMARY: tuple[Mapping[str, slice], ...] = (
     {"insertion": _FIRST, "frequency": _LAST},
     {"ratio": _NONE, "unit": _LAST, "root": slice(3, None, 2)},
 )
-"""The steps of the route in each line, and which of their equations are results. The last step gives the heading."""
+"""For each line: key of a step of the route → its equations that are results. The last step has the line's heading."""
 
 
 @st.cache_data(show_spinner=False, max_entries=256)
 def summary(numbers: Numbers | None) -> list[SummaryStep]:
     """Return the derivation in six steps, with the current numbers if they are given."""
-    return [_summary_step(wanted, numbers) for wanted in SUMMARY]
+    return [_summary_step(results, numbers) for results in SUMMARY]
+
+
+def _step(key: str) -> Step:
+    return route("euler_lagrange")[key]
 
 
 @st.cache_resource(show_spinner=False)
-def _in_symbols(key: str) -> tuple[Step, list[Row]]:
-    step = route("euler_lagrange")[key]
-    return step, rows(step)
+def _symbolic_rows(key: str) -> list[Row]:
+    """Return the equations of a step in symbols."""
+    return rows(_step(key))
 
 
-def _summary_step(wanted: Mapping[str, slice], given: Numbers | None) -> SummaryStep:
-    steps = {key: _in_symbols(key) for key in wanted}
-    *_before, last = wanted
-    in_full = {**wanted, last: _ALL}
-    results = [row for key, part in wanted.items() for row in steps[key][1][part]]
-    symbols = dict.fromkeys(row for key, part in in_full.items() for row in steps[key][1][part])
-    numbers = [row for key, part in in_full.items() for row in rows(steps[key][0], given)[part]]
+def _summary_step(selection: Mapping[str, slice], numbers: Numbers | None) -> SummaryStep:
+    """Return a line of the short derivation, for a line of `SUMMARY`."""
+    last = list(selection)[-1]
+    results = _select(selection, None)
+    # With numbers, also show the intermediate equations of the last step, but none that contains only symbols.
+    with_all_of_last = {**selection, last: _ALL}
+    symbolic = set(_select(with_all_of_last, None))
+    numeric = [row for row in _select(with_all_of_last, numbers) if row not in symbolic]
+
+    details = []
+    for key in selection:
+        step, equations = _step(key), _symbolic_rows(key)
+        others = tuple(row for row in equations if row not in results)
+        details.append(StepDetail(step.heading, step.reason, others, align(equations, _NARROW_WIDTH)))
     return SummaryStep(
-        steps[last][0].heading,
+        _step(last).heading,
         tuple(row.unmarked.latex for row in results),
-        tuple(
-            StepDetail(
-                step.heading,
-                step.reason,
-                tuple(row for row in all_rows if row not in results),
-                align(all_rows, _BESIDE),
-            )
-            for step, all_rows in steps.values()
-        ),
-        tuple(row.unmarked for row in numbers if row not in symbols),
+        tuple(details),
+        tuple(row.unmarked for row in numeric),
     )
+
+
+def _select(selection: Mapping[str, slice], numbers: Numbers | None) -> list[Row]:
+    """Return the selected equations of some steps, in symbols or with numbers."""
+    selected = []
+    for key, part in selection.items():
+        equations = rows(_step(key), numbers) if numbers else _symbolic_rows(key)
+        selected += equations[part]
+    return selected

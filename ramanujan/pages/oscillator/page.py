@@ -16,11 +16,11 @@ from ramanujan.shell import address, display_mode, drawings, first_run, navigati
 from ramanujan.shell.display_mode import slide
 from ramanujan.translation import _
 
-# With "on", the slider of m′ marks the unit ratio before the visitor has found it.
 MARK = address.Choice("found", ("on",))
+"""With "on", the slider of m′ marks the unit ratio before the visitor has found it."""
 URL_PARAMETERS = (MARK,)
-# Frequencies with a smaller relative difference are equal except for rounding.
-_SAME = 1e-12
+_ROUNDING_ERROR = 1e-12
+"""Two frequencies with a smaller relative difference are considered equal."""
 
 
 def warm_up() -> None:
@@ -83,9 +83,11 @@ def draw_derivation() -> None:
         draw_six_steps()
         return
     st.header(texts.STEPS_HEADING, anchor=False)
-    lines, derivation = st.container(key="steps"), navigation.PAGES["derivation"]
+    six_steps = st.container(key="steps")
+    derivation = navigation.PAGES["derivation"]
+    # Draw the link first, because the steps take longer.
     st.page_link(derivation.file, label=_("The whole derivation, in many ways"), icon=f":material/{derivation.icon}:")
-    with lines:
+    with six_steps:
         draw_six_steps()
 
 
@@ -102,14 +104,14 @@ def draw_opening() -> None:
     if not display_mode.is_projector():
         with st.container(key="to_lesson"):
             draw_lesson_link()
-    compares = not display_mode.hides("clocks", "numbers")
+    has_clocks = not display_mode.hides("clocks", "numbers")
     question = _("**When does this machine of five bodies oscillate in step with a plain mass on the same spring?**")
-    if compares:
+    if has_clocks:
         question = texts.question()
     st.markdown(question)
     if display_mode.is_projector():
         return
-    if compares:
+    if has_clocks:
         draw_story_button()
     for key in ("m_prime", "m", "k"):
         sidebar.slider(key)
@@ -130,11 +132,11 @@ def draw_lesson_link() -> None:
 
 def draw_curve() -> None:
     """Draw the Ω² curve with a ring at the current machine."""
-    base = cache.curve()
+    curve = cache.curve()
     st.header(texts.CURVE_HEADING, anchor=False)
     st.markdown(texts.CURVE_TEXT)
     # The ring shows the current machine, so the figure is sent to a page only once.
-    alternative = texts.curve_alternative(base)
+    alternative = texts.curve_alternative(curve)
     drawings.plot(cache.figure(theme.current()), "curve", alternative)
     if shows_numbers():
         describe_machine()
@@ -163,22 +165,24 @@ def describe_machine() -> None:
 
 def compare_with_plain_mass(machine: Oscillator) -> str:
     """Compare a machine with the plain mass: in step, or a full turn apart after a number of periods."""
-    faster = float(turns_gained(machine.mass_ratio))
-    if abs(faster) < _SAME:
+    gain = float(turns_gained(machine.mass_ratio))
+    if abs(gain) < _ROUNDING_ERROR:
         return _("It is in step with the plain mass.")
-    sentence = (
-        _("It is faster than the plain mass: its clock hand gains one full turn in {turns:3} periods.")
-        if faster > 0
-        else _("It is slower than the plain mass: its clock hand loses one full turn in {turns:3} periods.")
-    )
-    return filled(sentence, turns=1 / abs(faster))
+    if gain > 0:
+        sentence = _("It is faster than the plain mass: its clock hand gains one full turn in {turns:3} periods.")
+    else:
+        sentence = _("It is slower than the plain mass: its clock hand loses one full turn in {turns:3} periods.")
+    return filled(sentence, turns=1 / abs(gain))
 
 
 def set_clicked_ratio(point: dict[str, float]) -> None:
-    """Set the mass ratio of the clicked point: exact at a mark, with round masses elsewhere."""
-    base = cache.curve()
-    near = [mark for mark in (base.equal.ratio, base.unit.ratio) if math.isclose(point["x"], mark, rel_tol=0.02)]
-    sidebar.take_ratio(*near or (point["x"], 3))
+    """Set the mass ratio of the clicked point: exact near a mark, elsewhere with three significant digits."""
+    curve = cache.curve()
+    for mark in (curve.equal, curve.unit):
+        if math.isclose(point["x"], mark.ratio, rel_tol=0.02):
+            sidebar.take_ratio(mark.ratio)
+            return
+    sidebar.take_ratio(point["x"], 3)
 
 
 @st.fragment(key="steps")
@@ -187,8 +191,9 @@ def draw_six_steps() -> None:
     machine = sidebar.oscillator()
     numbers = None if display_mode.hides("numbers") else Numbers.of(machine)
     steps = cache.summary(numbers)
-    shown = display_mode.is_projector()
-    if shown:
+    # The sliders rerun this fragment only while it shows numbers.
+    shows_steps = display_mode.is_projector()
+    if display_mode.is_projector():
         draw_slides(steps)
     else:
         for n, step in enumerate(steps, start=1):
@@ -197,17 +202,20 @@ def draw_six_steps() -> None:
                 f"**{n}. {step.heading}** {results}", key=f"summary_{n}", type="compact", on_change="rerun"
             )
             if line.open:
-                shown = True
+                shows_steps = True
                 with line:
                     draw_step(n, step, numbers)
-    sidebar.follow(*dependent_fragments(), *(["steps"] if shown else []))
+    fragments = dependent_fragments()
+    if shows_steps:
+        fragments.append("steps")
+    sidebar.follow(*fragments)
 
 
 def draw_step(n: int, step: cache.SummaryStep, numbers: Numbers | None) -> None:
-    """Explain a step of the derivation, with its results for the current machine."""
-    for place, way in enumerate(step.ways):
-        st.markdown(way.reason)
-        draw_equations(f"{n}_{place}", way.between)
+    """Explain a line of the short derivation, with its results for the current machine."""
+    for index, detail in enumerate(step.steps):
+        st.markdown(detail.reason)
+        draw_equations(f"{n}_{index}", detail.details)
     draw_numbers(n, step.numbers, cache.LINE_WIDTH, state_numbers(numbers) if numbers else "")
 
 
@@ -226,20 +234,22 @@ def draw_equations(key: str, rows: Sequence[Row], width: int = cache.LINE_WIDTH)
 
 
 def draw_slides(steps: list[cache.SummaryStep]) -> None:
-    """Draw each way to a result on a slide of the projector view, next to the machine with its symbols."""
+    """Draw each step of the route on a slide of the projector view, next to the machine with its symbols."""
     from ramanujan.lesson.picture import machine_svg  # Imported late: the first page of a visitor does not need it.
 
     machine = machine_svg(sidebar.oscillator(), sidebar.compression(), theme.paper_colors())
     for n, step in enumerate(steps, start=1):
-        for place, way in enumerate(step.ways):
-            title = f"{n}{'abc'[place] if step.ways[1:] else ''}. {way.heading}"
-            with slide(f"step_{n}{f'_{place + 1}' if place else ''}", title):
+        for index, detail in enumerate(step.steps):
+            letter = "abc"[index] if len(step.steps) > 1 else ""
+            title = f"{n}{letter}. {detail.heading}"
+            name = f"step_{n}_{index + 1}" if index else f"step_{n}"
+            with slide(name, title):
                 words, picture = st.columns([5, 4])
-                words.markdown(f"### {title}\n{way.reason}")
-                words.latex(way.equations)
+                words.markdown(f"### {title}\n{detail.reason}")
+                words.latex(detail.equations)
                 with picture:
                     drawings.draw(machine, alt=_("The machine with its coordinates."), style="width:100%")
-                    if way == step.ways[-1]:
+                    if detail == step.steps[-1]:
                         draw_numbers(n, step.numbers, 24)
 
 

@@ -22,12 +22,12 @@ from ramanujan.translation import _
 RATIO = UNIT_MASS_RATIO
 """The mass ratio at which the story ends."""
 STARTS = (5.0, 2.0)
-"""Mass ratios with which a story may begin. If 5m exceeds the largest mass of a roller, 2m does not."""
+"""Mass ratios with which a story may begin. The second is used if 5m exceeds the largest mass of a roller."""
 OPENING = 2
-"""Number of scenes before the first at ε*. The later scenes are the same in every story."""
+"""Number of scenes until the masses first have the ratio ε*. The later scenes are the same in every story."""
 PACE = 0.6
 """Duration of a period of the plain mass in the story [s]."""
-_OVER = 1.25
+_TOO_HEAVY = 1.25
 """A mass ratio about as far above ε* as equal masses are below. The slider has a step at this ratio."""
 STILL_PERIODS = 2
 """Time at which the still clocks are drawn [periods of the plain mass]."""
@@ -67,30 +67,43 @@ def story(start: float) -> tuple[Scene, ...]:
     lighter = Scene(
         _("Lighter rollers: the machine falls behind more slowly."), _moving_ratios(start, UNIT_MASS_RATIO), 5
     )
-    turns = math.ceil(-turns_in_scene(lighter) - float(turns_gained(start)))
-    wait = (turns + turns_in_scene(lighter)) / -float(turns_gained(start))
+    # The hand loses turns while the rollers are heavy. Wait until the loss in both scenes is a whole number of turns,
+    # and at least one period.
+    lost_per_period = -float(turns_gained(start))
+    lost_in_move = -turns_in_scene(lighter)
+    lost = math.ceil(lost_in_move + lost_per_period)
+    wait = (lost - lost_in_move) / lost_per_period
     heavy = _("Heavy rollers: in {periods} periods the machine falls one full turn behind.")
     ahead = (
         Scene(_("Still lighter: now the machine is faster."), _moving_ratios(UNIT_MASS_RATIO, 1.0), 1.2),
         _still_scene(_("Equal masses: in {periods} periods the machine gains one full turn."), 1.0, 3),
-        Scene(_("Heavier again: the machine slows down."), _moving_ratios(1.0, _OVER), 1.5),
+        Scene(_("Heavier again: the machine slows down."), _moving_ratios(1.0, _TOO_HEAVY), 1.5),
     )
     back = Scene(
-        _("Between the two, one mass ratio keeps both hands together."), _moving_ratios(_OVER, UNIT_MASS_RATIO), 1.2
+        _("Between the two, one mass ratio keeps both hands together."),
+        _moving_ratios(_TOO_HEAVY, UNIT_MASS_RATIO),
+        1.2,
     )
-    rest = sum(map(turns_in_scene, (*ahead, back))) / -float(turns_gained(_OVER))
+    # Too heavy rollers lose the turns that the other scenes gain.
+    gained = sum(map(turns_in_scene, (*ahead, back)))
+    rest = gained / -float(turns_gained(_TOO_HEAVY))
     return (
         _still_scene(heavy, start, wait),
         lighter,
         _still_scene(_("Here both hands turn together."), UNIT_MASS_RATIO, 2),
         *ahead,
-        _still_scene(_("Too heavy: in {periods} periods the machine falls one full turn behind."), _OVER, rest),
+        _still_scene(_("Too heavy: in {periods} periods the machine falls one full turn behind."), _TOO_HEAVY, rest),
         back,
     )
 
 
 def data(*, marked: bool = False) -> dict[str, Any]:
-    """Return the data of `components.story`; `marked` is whether the slider marks the ratio from the start."""
+    """Return the data of `components.story`.
+
+    Parameters
+    ----------
+    marked : whether the slider marks ε* before the visitor has found it
+    """
     stories = [story(start) for start in STARTS]
     return {
         "stage": "oscillator",
@@ -109,7 +122,9 @@ def words() -> dict[str, str]:
     """Return the words of the story's button in the format of `components.story`."""
     return {
         "ratio": "ε = m′/m = {ratio}",
-        "there": _("In step: ε = {exactly}. So {number}.").format(exactly=cache.unit_ratio(), number=cache.taxicab()),
+        "there": _("In step: ε = {exactly}. So {number}.").format(
+            exactly=cache.unit_ratio(), number=cache.completed_square()
+        ),
         "mark": _("in step"),
         "begin": _("Bring them into step"),
         "again": _("Again"),
@@ -133,20 +148,23 @@ def stills() -> list[dict[str, str | float]]:
 
 def turns_in_scene(scene: Scene) -> float:
     """Return the gain of the machine's hand in a scene [turns]."""
-    # Between two knots ε is linear in time, and √f nearly is.
-    fine = np.linspace(0, 1, 50 * len(scene.ratios) + 1)
-    ratios = np.interp(fine, np.linspace(0, 1, len(scene.ratios)), scene.ratios)
-    return scene.periods * float(np.trapezoid(turns_gained(ratios), fine))
+    # Between two knots ε is linear in time.
+    knots = np.linspace(0, 1, len(scene.ratios))
+    times = np.linspace(0, 1, 50 * len(scene.ratios) + 1)
+    ratios = np.interp(times, knots, scene.ratios)
+    return scene.periods * float(np.trapezoid(turns_gained(ratios), times))
 
 
 def _still_scene(sentence: str, ratio: float, periods: float) -> Scene:
     """Return a scene with a constant machine. Its sentence contains the time until the hands are a full turn apart."""
-    apart = 1 / abs(float(turns_gained(ratio))) if ratio != UNIT_MASS_RATIO else math.inf
-    return Scene(sentence.format(periods=number(apart, 2)), (ratio, ratio), periods)
+    periods_until_apart = 1 / abs(float(turns_gained(ratio))) if ratio != UNIT_MASS_RATIO else math.inf
+    return Scene(sentence.format(periods=number(periods_until_apart, 2)), (ratio, ratio), periods)
 
 
 def _moving_ratios(start: float, end: float) -> tuple[float, ...]:
-    share = np.linspace(0, 1, _KNOTS + 1)[1:-1]
-    # Round the numbers: every run of the page sends the story.
-    between = np.round(start * (end / start) ** (share**2 * (3 - 2 * share)), 3)
-    return (start, *map(float, between), end)
+    """Return the ratios of a move, which begins and ends slowly, at equal steps of time."""
+    time = np.linspace(0, 1, _KNOTS + 1)[1:-1]
+    progress = time**2 * (3 - 2 * time)
+    # Round the numbers, because every run of the page sends the story.
+    ratios = np.round(start * (end / start) ** progress, 3)
+    return (start, *map(float, ratios), end)

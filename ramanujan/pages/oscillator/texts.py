@@ -18,7 +18,7 @@ STEPS_HEADING = _("The derivation in six steps")
 
 
 def question() -> str:
-    """Return the question of the page in Markdown; it compares the machine with the plain mass."""
+    """Return the question of the page in Markdown. It compares the machine with the plain mass."""
     sentences = _(
         "Two machines, one spring: with equal masses they are one full turn apart after {periods} periods. "
         "**Which m′ keeps them in step?**"
