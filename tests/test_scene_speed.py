@@ -49,7 +49,7 @@ def words(app: AppTest) -> str:
 
 
 def one_run(method: str, steps: int, periods: int, dtype: str = "float64") -> downsampling.Run:
-    return downsampling.downsampled(error_history(method, steps, periods, dtype), steps, periods)
+    return downsampling.downsample(error_history(method, steps, periods, dtype), steps, periods)
 
 
 # ---- the page
@@ -123,7 +123,7 @@ def test_measurements_are_shared_and_repeated_on_request(app):
 
 
 def test_measuring_shows_progress_and_can_be_stopped(app, monkeypatch):
-    monkeypatch.setattr(costs, "_AT_ONCE", -1.0)
+    monkeypatch.setattr(costs, "_PATIENCE", -1.0)
     taken = []
     # Streamlit stops the script in this way when the user changes a setting.
     monkeypatch.setattr(cache, "parts_of_diagram", lambda periods: [partial(taken.append, periods), st.stop, st.stop])
@@ -175,7 +175,7 @@ def test_the_result_of_the_papers_form_at_the_edge_is_stated(app):
 @pytest.mark.parametrize("steps", [3, 12, 192])
 def test_the_stage_plays_a_run_in_few_bytes_with_its_cost(method, steps):
     history, run = error_history(method, steps, 30), one_run(method, steps, 30)
-    played = downsampling.played(run)
+    played = downsampling.stage_payload(run)
     q, every = np.array(played["q"]), steps // played["per_period"]
     inside = abs(history.q[::every]) < downsampling.ROOM
     np.testing.assert_allclose(q[inside], history.q[::every][inside], atol=6e-5)

@@ -21,8 +21,8 @@ from ramanujan.shell.sections.cubes import draw_stacks
 from ramanujan.shell.sections.questions import QUESTION, draw_question, draw_section, is_solved, judge_typed, title
 from ramanujan.translation import _
 
+# Largest number of a step in the address.
 LONGEST_ROUTE = 99
-"""Largest number of a step in the address."""
 ROUTE = address.Choice("route", tuple(ROUTES), "euler_lagrange")
 VIEW = address.Choice("show", {"lecture": _("One step"), "reading": _("All steps")}, "lecture")
 # TRANSLATORS: a choice: equations are shown in symbols or with numbers.
@@ -32,9 +32,10 @@ STEP = address.Count("step", LONGEST_ROUTE)
 URL_PARAMETERS = (ROUTE, VIEW, VALUES, MASSES, STEP, QUESTION, *MODES)
 
 FOLDED_PARAMETERS = ("compression",)
+# Height of a step in a lecture [px], as in page.css.
 _STEP_HEIGHT = 368
-"""Height of a step in a lecture [px], as in page.css."""
 
+# Kind of a file → its label, the end of its name, and its media type.
 FILES = {
     "latex": ("LaTeX", "tex", "application/x-tex"),
     "slides": (_("LaTeX slides (beamer)"), "slides.tex", "application/x-tex"),
@@ -42,7 +43,6 @@ FILES = {
     "markdown": ("Markdown", "md", "text/markdown"),
     "notebook": (_("Notebook"), "ipynb", "application/x-ipynb+json"),
 }
-"""Kind of a file → its label, the end of its name, and its media type."""
 
 
 @dataclass(frozen=True)

@@ -16,11 +16,11 @@ from ramanujan.shell import address, display_mode, drawings, first_run, navigati
 from ramanujan.shell.display_mode import slide
 from ramanujan.translation import _
 
+# With "on", the slider of m′ marks the unit ratio before the visitor has found it.
 MARK = address.Choice("found", ("on",))
-"""With "on", the slider of m′ marks the unit ratio before the visitor has found it."""
 URL_PARAMETERS = (MARK,)
+# Two frequencies with a smaller relative difference are considered equal.
 _ROUNDING_ERROR = 1e-12
-"""Two frequencies with a smaller relative difference are considered equal."""
 
 
 def warm_up() -> None:

@@ -50,17 +50,17 @@ _PARTS = (1, 3, *range(10, PERIODS[-1] + 1, 10))
 _CURVES = [(method, dtype) for dtype in DTYPES for method in METHODS]
 """The curves of a work-precision diagram."""
 
-_SLICE, _PAUSE = 0.03, 0.015
+_WORK, _PAUSE = 0.03, 0.015
 """Duration of a stretch of work, and of the pause for other visitors after it [s]."""
 _MEASURING = threading.Lock()
-"""Lock of the time measurements, because two at once would disturb each other."""
+"""Lock of the time measurements, because two simultaneous measurements would disturb each other."""
 
 
 @st.cache_resource(show_spinner=False, max_entries=512)
 @responsive()
 def run(method: str, steps: int, periods: int, dtype: str) -> Run:
     """Return one integration. It is the same for every machine."""
-    return downsampling.downsampled(error_history(method, steps, periods, dtype), steps, periods)
+    return downsampling.downsample(error_history(method, steps, periods, dtype), steps, periods)
 
 
 @st.cache_resource(show_spinner=_("Computing all methods …"), max_entries=1)
@@ -72,9 +72,12 @@ def races() -> tuple[WorkPrecision, ...]:
 
 def parts_of_diagram(periods: int) -> list[Callable[[], object]]:
     """Return the parts of a work-precision diagram as calls of cached functions: first errors, then times."""
-    lengths = [part for part in _PARTS if part <= periods]
-    parts = [partial(errors, *curve, length) for curve in _CURVES for length in lengths]
-    return [*parts, partial(closed, periods), *(partial(_step_seconds, *curve) for curve in _CURVES)]
+    parts: list[Callable[[], object]] = []
+    for method, dtype in _CURVES:
+        parts += [partial(errors, method, dtype, part) for part in _PARTS if part <= periods]
+    parts.append(partial(closed, periods))
+    parts += [partial(_step_seconds, method, dtype) for method, dtype in _CURVES]
+    return parts
 
 
 def diagram(periods: int) -> list[WorkPrecision]:
@@ -84,18 +87,19 @@ def diagram(periods: int) -> list[WorkPrecision]:
 
 @st.cache_resource(show_spinner=False, max_entries=2 * len(METHODS) * len(_PARTS))
 def errors(method: str, dtype: str, periods: int) -> WorkPrecision:
-    """Return the runs of one method, which continue those of the previous part."""
+    """Return the runs of one method. They continue the cached runs with fewer periods."""
     shorter = max((part for part in _PARTS if part < periods), default=None)
-    before, rested = shorter and errors(method, dtype, shorter), time.monotonic()
+    previous = None if shorter is None else errors(method, dtype, shorter)
+    last_pause = time.monotonic()
 
-    def rest() -> None:
-        nonlocal rested
-        if time.monotonic() - rested > _SLICE:
+    def pause_for_others() -> None:
+        nonlocal last_pause
+        if time.monotonic() - last_pause > _WORK:
             time.sleep(_PAUSE)
-            rested = time.monotonic()
+            last_pause = time.monotonic()
 
     with responsive():
-        return work_precision(method, dtype, periods, previous=before, after_block=rest)
+        return work_precision(method, dtype, periods, previous=previous, after_block=pause_for_others)
 
 
 @st.cache_resource(show_spinner=False, max_entries=2 * len(METHODS))
@@ -134,7 +138,7 @@ class Choices:
     reduction : time [s] for a phase from which whole turns are subtracted
     curves : curve → number of points → distance from the curve [pixels]
     arithmetics : kind of arithmetic → seconds for a value of Ω²
-    kept : result → the factor by which a cache makes it faster
+    speedups : result → the factor by which a cache makes it faster
     """
 
     states: list[ClosedForm]

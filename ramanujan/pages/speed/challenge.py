@@ -27,7 +27,8 @@ TRIES = address.Several("tries", tuple(f"{method}.{steps}" for method in METHODS
 _RUN = "speed_run"
 """Session state: number of runs that the visitor has started."""
 _MOST_TRIES = 12
-_SHOWN_IN = 12.0
+"""Largest number of attempts in the address."""
+_ANIMATION = 12.0
 """Duration of the first animation of a run [s]."""
 
 
@@ -47,18 +48,18 @@ def draw() -> None:
             steps = widgets.count(STEPS, _("Steps per period"), width=190 if projector else "stretch")
         label = _("Run {periods} periods").format(periods=PERIODS)
         st.button(
-            label, key="run", type="primary", icon=":material/play_arrow:", on_click=_add_run, args=(method, steps)
+            label, key="run", type="primary", icon=":material/play_arrow:", on_click=_add_attempt, args=(method, steps)
         )
         st.markdown(verdicts.describe_method(METHODS[method], steps))
     with picture:
         with st.container(key="observed_race"):
             draw_machine()
         if address.update(TRIES):
-            # The machine runs already while all methods are computed for the first time.
+            # The first computation of all methods takes long, and the machine moves meanwhile.
             cache.races()
-            tried, steps = _last_run()
+            method, steps = _last_attempt()
             with st.container(key="race_result"):
-                tasks.draw_verdict(TASK, Attempt(method=tried, steps=steps))
+                tasks.draw_verdict(TASK, Attempt(method=method, steps=steps))
 
 
 def draw_question() -> None:
@@ -76,20 +77,21 @@ def draw_machine() -> None:
     """Draw the exact machine, and the last run as an outline over it."""
     computed = None
     if address.current(TRIES):
-        computed = downsampling.played(cache.run(*_last_run(), PERIODS, "float64"))
-        computed |= {"run": st.session_state.get(_RUN, 0), "pace": _SHOWN_IN / PERIODS}
+        computed = downsampling.stage_payload(cache.run(*_last_attempt(), PERIODS, "float64"))
+        computed |= {"run": st.session_state.get(_RUN, 0), "pace": _ANIMATION / PERIODS}
     payload = stage.payload(sidebar.oscillator(), sidebar.compression(), computed=computed)
     stages.mount(payload, key="stage_race", label=_("The exact motion"), clock="speed", compact=True, layers=())
 
 
 def draw_diagram() -> None:
-    """Draw the attempts among the results of all methods."""
+    """Draw the attempts in the work–precision diagram of all methods."""
     curves = {curve.method: curve for curve in cache.races()}
     points = []
-    for method, steps in map(_read_run, address.current(TRIES)):
+    for attempt in address.current(TRIES):
+        method, steps = _read_attempt(attempt)
         curve = curves[method]
-        at = int(np.argmax(curve.steps_per_period == steps))
-        points.append((int(curve.evaluations[at]), float(curve.error[at])))
+        index = int(np.argmax(curve.steps_per_period == steps))
+        points.append((int(curve.evaluations[index]), float(curve.error[index])))
     drawings.plot(
         figures.work_precision(
             {
@@ -110,16 +112,19 @@ def draw_diagram() -> None:
     )
 
 
-def _add_run(method: str, steps: int) -> None:
+def _add_attempt(method: str, steps: int) -> None:
+    """Append an attempt to those in the address, in a callback. A repeated attempt moves to the end."""
     st.session_state[_RUN] = st.session_state.get(_RUN, 0) + 1
-    this = f"{method}.{steps}"
-    st.session_state[TRIES.name] = (*(each for each in address.current(TRIES) if each != this), this)[-_MOST_TRIES:]
+    attempt = f"{method}.{steps}"
+    others = [each for each in address.current(TRIES) if each != attempt]
+    st.session_state[TRIES.name] = (*others, attempt)[-_MOST_TRIES:]
 
 
-def _read_run(tried: str) -> tuple[str, int]:
-    method, steps = tried.split(".")
+def _read_attempt(attempt: str) -> tuple[str, int]:
+    """Return method and steps per period of an attempt in the address, such as "rk4.20"."""
+    method, steps = attempt.split(".")
     return method, int(steps)
 
 
-def _last_run() -> tuple[str, int]:
-    return _read_run(address.current(TRIES)[-1])
+def _last_attempt() -> tuple[str, int]:
+    return _read_attempt(address.current(TRIES)[-1])

@@ -22,38 +22,39 @@ _COST_TITLES = {"evaluations": _("evaluations of the force"), "seconds": _("seco
 
 _REQUESTED, _COMPLETE = "speed_asked", "speed_complete"
 """Session state: whether the visitor requested the diagram, and the number of periods for which it is complete."""
-_AT_ONCE = 0.2
-"""Duration of work without a progress bar [s]."""
+_PATIENCE = 0.2
+"""Duration after which a progress bar appears [s]."""
 
 
 def draw_costs(periods: int) -> Callable[[], None]:
-    """Draw the fast part of the section; return the function that measures and draws the rest."""
+    """Draw the fast part of the section; return a function that measures and draws the diagram."""
     st.header(_("What accuracy costs on this server"), anchor=False)
     requested = st.session_state.get(_REQUESTED, is_projector())  # A slide shows its diagram at once.
     by, tolerance = draw_controls(requested)
     if not requested:
         explain_measurement()
         return lambda: None
-    place = st.container()
+    container = st.container()
 
-    def rest() -> None:
-        with place:
+    def measure_and_draw() -> None:
+        with container:
             measure(periods)
             draw_diagram(periods, by, tolerance)
 
-    return rest
+    return measure_and_draw
 
 
 def draw_controls(requested: bool) -> tuple[str, float]:
     """Draw the button and the options; return the kind of cost and the tolerated error."""
     with st.container(horizontal=True, vertical_alignment="bottom"):
         label = _("Measure again") if requested else _("Measure on this server")
-        st.button(label, key="measure", icon=":material/timer:", type="primary", on_click=_request)
+        st.button(label, key="measure", icon=":material/timer:", type="primary", on_click=_request_measurement)
         by = widgets.segmented_control(COST, _("Cost"))
         return by, float(widgets.select_slider(TOLERANCE, _("Error that you allow"), width=320))
 
 
-def _request() -> None:
+def _request_measurement() -> None:
+    """Request the diagram, in a callback. A second request repeats the measurement of times."""
     if st.session_state.get(_REQUESTED):
         cache.forget_seconds()
     st.session_state[_REQUESTED] = True
@@ -68,11 +69,12 @@ def measure(periods: int) -> None:
     """
     if st.session_state.get(_COMPLETE) == periods:
         return
-    place, bar, start = st.empty(), None, time.monotonic()
+    place, start = st.empty(), time.monotonic()
+    bar = None
     title = ngettext("Measuring {n} period on this server …", "Measuring {n} periods on this server …", periods)
     parts = cache.parts_of_diagram(periods)
     for done, part in enumerate(parts):
-        if bar is None and time.monotonic() - start > _AT_ONCE:
+        if bar is None and time.monotonic() - start > _PATIENCE:
             with place.container(horizontal=True, vertical_alignment="bottom"):
                 bar = st.empty()
                 st.button(
@@ -86,18 +88,28 @@ def measure(periods: int) -> None:
 
 
 def draw_diagram(periods: int, by: str, tolerance: float) -> None:
-    """Draw the work-precision diagram, the cheapest run, and the methods of measurement."""
+    """Draw the work–precision diagram, the cheapest run, and how times and errors were measured.
+
+    Parameters
+    ----------
+    periods : number of periods
+    by : kind of cost, an option of `COST`
+    tolerance : error that the visitor allows, relative to the amplitude
+    """
     curves, closed = cache.diagram(periods), cache.closed(periods)
     ranked = cheapest(curves, tolerance, by)
     sentence = verdicts.recommend_run(ranked, tolerance, by, closed)
     figure, words = picture_and_words() if is_projector() else reversed(columns("costs"))
     with words:
         st.markdown(sentence)
-    singled = {_("cheapest"): (getattr(best, by), best.error, "circle-open", 22, "primary") for best in ranked[:1]}
+    singled = {}
+    if ranked:
+        best = ranked[0]
+        singled[_("cheapest")] = getattr(best, by), best.error, "circle-open", 22, "primary"
     if by == "seconds":
         singled[_("closed form")] = closed.seconds.median, closed.phase_error, "star", 15, "ink"
     drawn = figures.work_precision(
-        {(METHODS[c.method].title, c.dtype): downsampling.costs(c, by) for c in curves},
+        {(METHODS[curve.method].title, curve.dtype): downsampling.costs(curve, by) for curve in curves},
         titles=(_COST_TITLES[by], _("largest error, relative to the amplitude")),
         tolerance=tolerance,
         singled=singled,
@@ -108,8 +120,9 @@ def draw_diagram(periods: int, by: str, tolerance: float) -> None:
         drawings.plot(drawn, "work_precision", alternative.format(finding=sentence.replace("**", "")))
     spread = float(np.median([curve.spread for curve in curves]))
     with words:
-        if steeper := verdicts.explain_slope(curves, cache.run):
-            st.markdown(steeper)
+        explanation = verdicts.explain_slope(curves, cache.run)
+        if explanation:
+            st.markdown(explanation)
     if is_projector():
         return
     with words:
@@ -122,6 +135,7 @@ def draw_diagram(periods: int, by: str, tolerance: float) -> None:
 
 
 def _describe_measurement(periods: int, spread: float) -> str:
+    """Return the caption of the diagram; `spread` is the typical range of repeated times, relative to the median."""
     points = ngettext(
         "Each point is the largest error in one period.",
         "Each point is the largest error in {n:word} periods.",

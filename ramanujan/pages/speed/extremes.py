@@ -73,15 +73,15 @@ def draw_forms() -> list[Sweep]:
         double, single = (number(float(np.finfo(dtype).max)) for dtype in (np.float64, np.float32))
         st.markdown(sentence.format(double=double, single=single))
     with figure, st.skeleton(height=480):
-        swept, _solvers = cache.sweeps()
+        sweeps, _solvers = cache.sweeps()
     with figure:
         name = widgets.segmented_control(SWEEP, _("What is varied, and the precision"), label_visibility="collapsed")
-        along, _between, dtype = name.partition("_")
-        shown = [s for s in swept if (s.sweep_name, s.dtype) == (along, dtype)]
+        sweep_name, _underscore, dtype = name.partition("_")
+        shown = [sweep for sweep in sweeps if sweep.sweep_name == sweep_name and sweep.dtype == dtype]
         alternative = _("What {count:word} forms of Ω² return, from the least value to the greatest. {findings}.")
         findings = "; ".join(map(verdicts.describe_strip, shown))
-        strips = {FORMS[each.form].title: verdicts.strip(each) for each in shown}
-        drawn = figures.forms(strips, quantity=cache.ALONG[along][1], colors=theme.colors())
+        strips = {FORMS[sweep.form].title: verdicts.strip(sweep) for sweep in shown}
+        drawn = figures.forms(strips, quantity=cache.ALONG[sweep_name][1], colors=theme.colors())
         drawings.plot(drawn, "forms", filled(alternative, count=len(FORMS), findings=findings))
     with words:
         sentence = _(
@@ -93,7 +93,7 @@ def draw_forms() -> list[Sweep]:
 
 
 def list_failures(shown: Sequence[Sweep]) -> None:
-    """Name the failures of each form, and explain the forms."""
+    """Draw a table of the failures of each form, and the formula of each form."""
     widgets.table(verdicts.failure_table(shown, cache.ALONG[shown[0].sweep_name][0]), "forms")
     item = _("- **{name}**: Ω² = {formula}")
     st.markdown("\n".join(item.format(name=form.title, formula=unbroken(form.formula)) for form in FORMS.values()))
@@ -129,8 +129,9 @@ def compare_solvers() -> None:
 def list_choices() -> None:
     """List the app's own methods with their uses, reasons and measurements."""
     choices = cache.choices()
-    drawn = {each.form: each for each in cache.sweeps()[0] if (each.sweep_name, each.dtype) == ("machines", "float64")}
-    own = drawn["effective_mass"]
+    sweeps, _solvers = cache.sweeps()
+    random_machines = {s.form: s for s in sweeps if s.sweep_name == "machines" and s.dtype == "float64"}
+    own = random_machines["effective_mass"]
     enough = {name: _fewest_points(distances) for name, distances in choices.curves.items()}
     rounding = float(np.finfo(np.float32).eps) / 2
     text = filled(
@@ -144,15 +145,15 @@ def list_choices() -> None:
         formula=unbroken(FORMS[own.form].formula),
         machines=own.x.size,
         error=own.worst_right_ulp,
-        integers_error=drawn["integers"].worst_right_ulp,
+        integers_error=random_machines["integers"].worst_right_ulp,
         **{kind: duration(seconds) for kind, seconds in choices.arithmetics.items() if isinstance(kind, str)},
         few=duration(choices.arithmetics[DIGITS[0]]),
         few_digits=DIGITS[0],
         many=duration(choices.arithmetics[DIGITS[-1]]),
         many_digits=DIGITS[-1],
         height=HEIGHT,
-        **{name: n for name, (n, _off) in enough.items()},
-        **{f"{name}_error": off for name, (_n, off) in enough.items()},
+        **{name: points for name, (points, _distance) in enough.items()},
+        **{f"{name}_error": distance for name, (_points, distance) in enough.items()},
         part=1 / rounding,
         finer=0.5 / SCREEN_HEIGHT / rounding,
         screen=SCREEN_HEIGHT,

@@ -26,7 +26,7 @@ FOLDED_PARAMETERS = ("compression",)
 
 
 def show() -> None:
-    """Draw the page, then take its experiments."""
+    """Draw the page. The measurement of costs, which takes long, begins last."""
     with slide("motion", _("Exact and computed")), st.container(key="race"):
         challenge.draw()
         if address.current(TRIES) and not display_mode.is_projector():
@@ -37,7 +37,7 @@ def show() -> None:
     with slide("errors", _("How the errors grow")):
         periods = draw_error_growth(address.current(METHOD), address.current(STEPS))
     with slide("costs", _("What accuracy costs")):
-        costs_on_this_server = draw_costs(periods)
+        measure_costs = draw_costs(periods)
     with slide("forms", _("Extreme values")):
         forms = extremes.draw_forms()
     if not display_mode.is_projector():
@@ -48,7 +48,7 @@ def show() -> None:
     folded("solver", _("A general eigen-solver, which does not know this machine"), extremes.compare_solvers)
     folded("choices", _("What this app uses, and why"), extremes.list_choices)
     # Long computations follow after all other elements are drawn.
-    costs_on_this_server()
+    measure_costs()
 
 
 def draw_error_growth(method: str, steps: int) -> int:
@@ -66,10 +66,11 @@ def draw_error_growth(method: str, steps: int) -> int:
         runs = [cache.run(name, steps, periods, precision) for name in METHODS if compared == "all" or name == method]
     run = cache.run(method, steps, periods, precision)
     phases = cache.phases(sidebar.oscillator())
-    exact = np.array([(p.periods, p.float64) for p in phases if p.periods <= max(periods, 10)])
-    curves = {METHODS[each.method].title: (each.reach, each.energy, each.phase) for each in runs}
+    shown_phases = [errors for errors in phases if errors.periods <= max(periods, 10)]
+    closed_form = np.array([errors.periods for errors in shown_phases]), np.array([e.float64 for e in shown_phases])
+    curves = {METHODS[each.method].title: (each.times, each.energy, each.phase) for each in runs}
     titles = [each.title for each in METHODS.values()]
-    figure = figures.error_growth(curves, METHODS[method].title, (exact[:, 0], exact[:, 1]), titles, theme.colors())
+    figure = figures.error_growth(curves, METHODS[method].title, closed_form, titles, theme.colors())
     alternative = _(
         "Energy error and phase error over the number of periods. The phase errors of the methods grow with time. That "
         "of the closed form grows too, but it stays near the rounding error. {errors}"

@@ -35,9 +35,10 @@ PAPER = BodyChoice()
 def unit_equations() -> tuple[str, ...]:
     """Return, as LaTeX, the equations from Ω² to the mass ratio at which the paper's machine is in step."""
     steps = route("euler_lagrange")
-    frequency, condition = (steps[key].equations[-1] for key in ("ratio", "unit"))
-    # The derivation contains the completed square, and the section on cubes contains the second sum.
-    *_square_is_completed, square, _second_sum, root = steps["root"].equations
+    frequency = steps["ratio"].equations[-1]
+    condition = steps["unit"].equations[-1]
+    # Omit how the square is completed, and the second sum of cubes, which another section shows.
+    *_completion, square, _second_sum, root = steps["root"].equations
     return tuple(map(latex, (frequency, condition, square, root)))
 
 
@@ -52,7 +53,17 @@ def discriminant_written_out() -> tuple[str, str]:
 
 @dataclass(frozen=True)
 class Story:
-    """The results for bodies and a target. Formulas are LaTeX; the mass ratio is also a number."""
+    """The results for bodies and a target. The texts are LaTeX.
+
+    Parameters
+    ----------
+    machine : the bodies and the target
+    quadratic : the equation for the mass ratio
+    root, ratio : its positive root, as a formula and as a number
+    factors : the prime factors of the discriminant
+    cubes : the discriminant as sums of two cubes
+    square : the equation with a completed square
+    """
 
     machine: BodyChoice
     quadratic: str
@@ -87,18 +98,21 @@ def machines() -> tuple[BodyChoice, ...]:
 
 
 def practical_machines() -> list[tuple[Fraction, Fraction, float]]:
-    """Return the first convergents of the paper's mass ratio, as machines for a workshop.
+    """Return machines for a workshop, whose mass ratios are the first convergents of the paper's ratio.
 
-    Each has its ratio, the exact error in Ω²m/k, and the number of periods until it is one turn off.
+    Each is a tuple: mass ratio, exact error in Ω²m/k, and the number of periods until it is one turn off.
     """
-    ratios = number_theory.convergents(quotients(5))
-    errors = [number_theory.normalized_frequency_squared_exact(*PAPER.bodies, ratio) - 1 for ratio in ratios]
-    # 1/|√(1 + δ) − 1|, without the difference of two numbers close to 1.
-    return [(each, error, (1 + (1 + error) ** 0.5) / abs(error)) for each, error in zip(ratios, errors, strict=True)]
+    machines = []
+    for ratio in number_theory.convergents(quotients(5)):
+        error = number_theory.normalized_frequency_squared_exact(*PAPER.bodies, ratio) - 1
+        # Equal to 1/|√(1 + error) − 1|, without the difference of two numbers close to 1.
+        periods = (1 + (1 + error) ** 0.5) / abs(error)
+        machines.append((ratio, error, periods))
+    return machines
 
 
 def quotients(terms: int = 12) -> list[int]:
-    """Return the continued fraction of the paper's mass ratio."""
+    """Return the first terms of the continued fraction of the paper's mass ratio."""
     return number_theory.continued_fraction(*PAPER.quadratic, terms)
 
 
@@ -110,19 +124,20 @@ def curve(least: float, most: float) -> tuple[np.ndarray, np.ndarray]:
 
 @st.cache_resource(show_spinner=False)
 def norm_identity() -> str:
-    """Return, as LaTeX, the discriminant for the target p/q as a norm: the square is completed in q by SymPy."""
+    """Return, as LaTeX, the discriminant for the target p/q as a norm x² + 3y². SymPy completes the square in q."""
     p, q = sp.symbols("p q", positive=True)
     numerator, denominator = sp.fraction(unit_frequency_condition().normalized_frequency_squared)
     a, b, c = sp.Poly(sp.expand(p * denominator - q * numerator), epsilon).all_coeffs()
-    leading, middle, _ = sp.Poly(b**2 - 4 * a * c, q).all_coeffs()
-    root = sp.sqrt(leading)
-    rest = middle / (2 * root)
-    y = sp.sqrt(sp.expand((b**2 - 4 * a * c - (root * q + rest) ** 2) / 3))
-    x = root * q + rest
-    # Write the positive term of each sum first.
-    b, x, minus_c = sp.latex(b), sp.latex(x, order="rev-lex"), sp.latex(sp.expand(-c), order="rev-lex")
-    a, y = sp.latex(a), sp.latex(y)
-    lines = rf"&({b})^2 + 4\cdot {a}\,({minus_c}) \\ &\quad = ({x})^2 + 3\,({y})^2"
+    discriminant = b**2 - 4 * a * c
+    leading, middle, _constant = sp.Poly(discriminant, q).all_coeffs()
+    x = sp.sqrt(leading) * q + middle / (2 * sp.sqrt(leading))
+    y = sp.sqrt(sp.expand((discriminant - x**2) / 3))
+    # The order "rev-lex" writes the positive term of these sums first.
+    x_latex = sp.latex(x, order="rev-lex")
+    minus_c_latex = sp.latex(sp.expand(-c), order="rev-lex")
+    expanded = rf"({sp.latex(b)})^2 + 4\cdot {sp.latex(a)}\,({minus_c_latex})"
+    norm = rf"({x_latex})^2 + 3\,({sp.latex(y)})^2"
+    lines = rf"&{expanded} \\ &\quad = {norm}"
     return rf"\begin{{aligned}}{lines}\end{{aligned}}"
 
 
@@ -131,48 +146,64 @@ def norm_multiplied_out() -> str:
     """Return, as LaTeX, (x + y√−3)(x − y√−3) = x² + 3y², multiplied out by SymPy."""
     x, y, root = sp.symbols(r"x y \sqrt{-3}")
     with sp.evaluate(False):
-        plus = sp.latex(x + y * root, order="none")
-    return rf"({plus})\,({plus.replace('+', '-')}) = {sp.latex(_times((x, y), (x, -y))[0])}"
+        number = sp.latex(x + y * root, order="none")
+    conjugate = number.replace("+", "-")
+    norm, _zero = _multiply((x, y), (x, -y))
+    return rf"({number})\,({conjugate}) = {sp.latex(norm)}"
 
 
 @st.cache_resource(show_spinner=False)
 def product_of_norms() -> str:
     """Return, as LaTeX, the product of two norms as the norm of the product."""
     a, b, c, d = sp.symbols("a b c d")
-    left = ((a, b), (c, d))
-    factors = "".join(rf"\left({sp.latex(x**2 + 3 * y**2)}\right)" for x, y in left)
-    x, y = (sp.latex(part) for part in _times(*left))
-    return rf"{factors} = \left({x}\right)^2 + 3\left({y}\right)^2"
+    numbers = ((a, b), (c, d))
+    norms = "".join(rf"\left({sp.latex(x**2 + 3 * y**2)}\right)" for x, y in numbers)
+    x, y = map(sp.latex, _multiply(*numbers))
+    return rf"{norms} = \left({x}\right)^2 + 3\left({y}\right)^2"
 
 
-def _times(one: tuple[sp.Expr, sp.Expr], other: tuple[sp.Expr, sp.Expr]) -> tuple[sp.Expr, sp.Expr]:
-    """Return x and y of the product of two numbers x + y√−3."""
+def _multiply(first: tuple[sp.Expr, sp.Expr], second: tuple[sp.Expr, sp.Expr]) -> tuple[sp.Expr, sp.Expr]:
+    """Return the product of two numbers x + y√−3. Each number is the tuple (x, y)."""
     root = sp.Symbol("r")
-    product = sp.expand((one[0] + one[1] * root) * (other[0] + other[1] * root))
-    rest = sp.Poly(sp.rem(product, root**2 + 3, root), root)
-    return rest.coeff_monomial(1), rest.coeff_monomial(root)
+    (a, b), (c, d) = first, second
+    product = sp.expand((a + b * root) * (c + d * root))
+    # The square of the root is −3.
+    reduced = sp.Poly(sp.rem(product, root**2 + 3, root), root)
+    return reduced.coeff_monomial(1), reduced.coeff_monomial(root)
 
 
 def factored_cubes(number: int) -> str:
     """Return, as LaTeX, each sum of two cubes of a number as the product (x + y)(x² − xy + y²)."""
-    sums = number_theory.sums_of_two_cubes(number)
-    return r",\ ".join(rf"{sums_of_cubes([(x, y)])} = {x + y}\cdot{x * x - x * y + y * y}" for x, y in sums)
+    equations = []
+    for x, y in number_theory.sums_of_two_cubes(number):
+        equations.append(rf"{sums_of_cubes([(x, y)])} = {x + y}\cdot{x * x - x * y + y * y}")
+    return r",\ ".join(equations)
 
 
 def as_norm(p: int, q: int) -> str:
     """Return, as LaTeX, the norm x² + 3y² of the target p/q, and its relation to the discriminant."""
     target = Fraction(p, q)
     x, y = number_theory.norm_form(target)
-    number = BodyChoice(target=target).discriminant
+    discriminant = BodyChoice(target=target).discriminant
     # If the coefficients of the quadratic have a common factor, the norm contains its square.
-    shared = isqrt((x * x + 3 * y * y) // number)
-    right = f"{shared}^2 \\cdot {number}" if shared > 1 else str(number)
-    return f"{f'({x})' if x < 0 else x}^2 + 3 \\cdot {y}^2 = {right}"
+    common_factor = isqrt((x * x + 3 * y * y) // discriminant)
+    right = f"{common_factor}^2 \\cdot {discriminant}" if common_factor > 1 else str(discriminant)
+    base = f"({x})" if x < 0 else str(x)
+    return f"{base}^2 + 3 \\cdot {y}^2 = {right}"
 
 
 @dataclass(frozen=True)
 class Tally:
-    """The number of discriminants that are sums of cubes for two lower rollers, many targets and all top bodies."""
+    """A count of discriminants that are sums of two cubes, for one pair of lower rollers.
+
+    Parameters
+    ----------
+    pair : the lower rollers
+    machines : number of discriminants, one for each target and body on top
+    sums : how many of them are a sum of two positive cubes
+    taxicabs : how many are such a sum in two ways or more
+    median : median of the discriminants
+    """
 
     pair: tuple[str, str]
     machines: int
@@ -184,17 +215,23 @@ class Tally:
 @st.cache_resource(show_spinner=False)
 @responsive()
 def tally(left: str, right: str) -> Tally:
-    """Return the count for all targets p/q, p and q up to COUNTED_PART, that every top body can reach."""
+    """Count for all targets p/q that the machine reaches with every body on top; p and q are at most COUNTED_PART."""
     limit = min(number_theory.normalized_frequency_squared_exact(left, right, top, 0) for top in number_theory.BODIES)
     parts = range(1, COUNTED_PART + 1)
     targets = [Fraction(p, q) for p in parts for q in parts if gcd(p, q) == 1 and Fraction(p, q) < limit]
-    numbers = [
-        number_theory.discriminant(*number_theory.unit_quadratic(left, right, top, target))
-        for top in number_theory.BODIES
-        for target in targets
-    ]
-    ways = [len(number_theory.sums_of_two_cubes(number)) for number in numbers]
-    return Tally((left, right), len(numbers), sum(map(bool, ways)), sum(way > 1 for way in ways), median(numbers))
+    discriminants = []
+    for top in number_theory.BODIES:
+        for target in targets:
+            quadratic = number_theory.unit_quadratic(left, right, top, target)
+            discriminants.append(number_theory.discriminant(*quadratic))
+    ways = [len(number_theory.sums_of_two_cubes(number)) for number in discriminants]
+    return Tally(
+        pair=(left, right),
+        machines=len(discriminants),
+        sums=sum(count > 0 for count in ways),
+        taxicabs=sum(count > 1 for count in ways),
+        median=median(discriminants),
+    )
 
 
 def product_of_primes(factorization: Sequence[tuple[int, int]]) -> str:

@@ -20,6 +20,7 @@ WORDS = {"hoop": _("hoop"), "shell": _("shell"), "cylinder": _("cylinder"), "sph
 """Body → its name."""
 URL_PARAMETERS = tuple(address.Choice(place, WORDS, body) for place, body in PAPER_BODIES.items())
 STAGE = "stage_bodies"
+"""Key of the stage."""
 FOLLOWERS = ("bodies_machine", "bodies_numbers")
 """Keys of the fragments that depend on the machine of the sidebar."""
 
@@ -53,9 +54,10 @@ def draw_options() -> None:
     """Draw the options in the arrangement of the machine: the top body is above, to the right."""
     pictures, above = st.columns(2, vertical_alignment="center")
     pictures.html(bodies_html(theme.colors()["block"]))
-    for column, key in zip((*st.columns(2), above), URL_PARAMETERS, strict=True):
+    left, right = st.columns(2)
+    for column, parameter in zip((left, right, above), URL_PARAMETERS, strict=True):
         with column:
-            widgets.segmented_control(key, PLACE_WORDS[key.name])
+            widgets.segmented_control(parameter, PLACE_WORDS[parameter.name])
 
 
 @st.fragment(key="bodies_machine")
@@ -95,12 +97,11 @@ def describe_current_masses(machine: BodyChoice) -> None:
     if display_mode.hides("numbers"):
         return
     oscillator = sidebar.oscillator()
-    present = number_theory.normalized_frequency_squared_exact(
-        *machine.bodies, Fraction(oscillator.m_prime) / Fraction(oscillator.m)
-    )
+    ratio = Fraction(oscillator.m_prime) / Fraction(oscillator.m)
+    value = number_theory.normalized_frequency_squared_exact(*machine.bodies, ratio)
     st.markdown(
         _("With your masses, $\\varepsilon={ratio}$, it has $\\Omega^2m/k={value}$.").format(
-            ratio=in_latex(f"{oscillator.mass_ratio:.5g}"), value=in_latex(f"{float(present):.6g}")
+            ratio=in_latex(f"{oscillator.mass_ratio:.5g}"), value=in_latex(f"{float(value):.6g}")
         )
     )
 
@@ -108,41 +109,38 @@ def describe_current_masses(machine: BodyChoice) -> None:
 def describe_cubes(story: cache.Story) -> str:
     """Factor a discriminant, and state whether it is a sum of two cubes."""
     ways = len(story.machine.cubes)
-    sentence = (
-        ngettext(
+    sentence = _("The discriminant {number} is not a sum of two positive cubes.")
+    if ways:
+        sentence = ngettext(
             "The discriminant {number} is a sum of two positive cubes in one way: ${cubes}$.",
             "The discriminant {number} is a sum of two positive cubes **in {n:word} ways**: ${cubes}$.",
             ways,
         )
-        if ways
-        else _("The discriminant {number} is not a sum of two positive cubes.")
-    )
     discriminant = str(story.machine.discriminant)
     factors = "" if story.factors == discriminant else f" $={story.factors}$"
     return filled(sentence, number=f"**{discriminant}**{factors}", cubes=story.cubes, n=ways)
 
 
 def _describe_field(machine: BodyChoice) -> str:
-    sentence = (
-        _(
+    """State the discriminant of the number field of the mass ratio."""
+    if machine.field_discriminant == machine.discriminant:
+        sentence = _(
             "The field $\\mathbb{{Q}}(\\varepsilon)$ has the same discriminant. This number does not change if "
             "$\\varepsilon$ is multiplied by any fraction."
         )
-        if machine.field_discriminant == machine.discriminant
-        else _(
+    else:
+        sentence = _(
             "The field $\\mathbb{{Q}}(\\varepsilon)$ has the discriminant **{field}**. This number does not "
             "change if $\\varepsilon$ is multiplied by any fraction."
         )
-    )
     return sentence.format(field=machine.field_discriminant)
 
 
 def draw_all_machines(chosen: BodyChoice) -> None:
-    """Draw all machines in one figure."""
-    machines, columns = cache.machines(), list(BODIES)
-    pairs = [machine.bodies[:2] for machine in machines[:: len(columns)]]
-    left, right = sorted(chosen.bodies[:2], key=columns.index)
-    place = pairs.index((left, right)), columns.index(chosen.top)
+    """Draw the discriminants of all machines in one figure: a row for each pair, a column for each body on top."""
+    machines, columns, pairs = cache.machines(), list(BODIES), roller_pairs()
+    left, right = sorted((chosen.left, chosen.right), key=columns.index)
+    cell = pairs.index((left, right)), columns.index(chosen.top)
     best = max(machines, key=lambda machine: len(machine.cubes))
     one, other = (machine.discriminant for machine in machines if len(machine.cubes) == 1)
     facts = {"count": len(machines), "best": best.discriminant, "one": one, "other": other}
@@ -152,7 +150,7 @@ def draw_all_machines(chosen: BodyChoice) -> None:
             [WORDS[body] for body in columns],
             [machine.discriminant for machine in machines],
             [len(machine.cubes) for machine in machines],
-            place,
+            cell,
             theme.colors() | {"on_hoop": "#1D2430"},
         ),
         "machines",
@@ -174,8 +172,18 @@ def draw_all_machines(chosen: BodyChoice) -> None:
 
 def select_clicked_machine(point: dict[str, float]) -> None:
     """Choose the bodies of the clicked machine."""
-    for machine in cache.machines()[len(BODIES) * int(point["y"]) + int(point["x"]) :][:1]:
+    row, column = int(point["y"]), int(point["x"])
+    index = len(BODIES) * row + column
+    # Ignore a message with a point outside of the figure.
+    if index < len(cache.machines()):
+        machine = cache.machines()[index]
         st.session_state.update(zip(PAPER_BODIES, machine.bodies, strict=True))
+
+
+def roller_pairs() -> list[tuple[str, str]]:
+    """Return the ten pairs of lower rollers, in the order of `cache.machines`."""
+    first_of_pair = cache.machines()[:: len(BODIES)]
+    return [(machine.left, machine.right) for machine in first_of_pair]
 
 
 def machine_name(machine: BodyChoice) -> str:

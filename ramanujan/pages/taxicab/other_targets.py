@@ -7,11 +7,10 @@ import streamlit as st
 
 from ramanujan import number_theory
 from ramanujan.figures import taxicab as figures
-from ramanujan.number_theory import BODIES
 from ramanujan.numerals import filled, number
 from ramanujan.pages.taxicab import cache
 from ramanujan.pages.taxicab.cache import PAPER
-from ramanujan.pages.taxicab.other_bodies import describe_cubes, pair_name
+from ramanujan.pages.taxicab.other_bodies import describe_cubes, pair_name, roller_pairs
 from ramanujan.shell import address, display_mode, drawings, sidebar, theme, widgets
 from ramanujan.shell.display_mode import columns, slide
 from ramanujan.translation import _, ngettext
@@ -19,14 +18,16 @@ from ramanujan.translation import _, ngettext
 P, Q = (address.Count(part, cache.LARGEST_PART) for part in ("p", "q"))
 URL_PARAMETERS = (P, Q)
 _LAST = "last_target"
+"""Session state: p and q of the last target that a machine reaches."""
 FOLLOWERS = ("unit_curve",)
 """Keys of the fragments that depend on the machine of the sidebar."""
 
 
 def draw_other_target() -> None:
     """Draw the options for another target of the paper's machine, and describe the result."""
-    wanted = address.current(P), address.current(Q)
-    with st.expander(_("Another frequency, another number: choose $\\Omega^2m/k=p/q$"), expanded=wanted != (1, 1)):
+    title = _("Another frequency, another number: choose $\\Omega^2m/k=p/q$")
+    is_other_target = (address.current(P), address.current(Q)) != (1, 1)
+    with st.expander(title, expanded=is_other_target):
         with st.container(horizontal=True):
             p = widgets.count(P, _("p"), width=130)
             q = widgets.count(Q, _("q"), width=130)
@@ -43,7 +44,7 @@ def draw_other_target() -> None:
 
 
 def _current_story() -> cache.Story:
-    """Return the story of the chosen target. If no machine reaches it, return that of the previous target."""
+    """Return the results for the selected target. If no machine reaches it, return those for the previous target."""
     try:
         story = cache.story(*PAPER.bodies, address.current(P), address.current(Q))
     except ValueError:
@@ -74,8 +75,11 @@ def draw_curve() -> None:
     target = story.machine.target
     present = machine.mass_ratio, machine.normalized_frequency_squared
     level, ratio = f"Ω²m/k = {target}", number(story.ratio, 10)
+    # The curve contains the target and the current machine.
+    least = min(story.ratio / 2, 0.9 * machine.mass_ratio)
+    most = max(2 * story.ratio, 1.1 * machine.mass_ratio)
     figure = figures.level_crossing(
-        *cache.curve(min(story.ratio / 2, 0.9 * machine.mass_ratio), max(2 * story.ratio, 1.1 * machine.mass_ratio)),
+        *cache.curve(least, most),
         level=float(target),
         level_label=_("in step: {level}").format(level=level) if target == 1 else level,
         root=story.ratio,
@@ -94,7 +98,7 @@ def draw_curve() -> None:
 
 
 def draw_open_question() -> None:
-    """Draw the open question: explained facts, measured facts, and remaining coincidences."""
+    """Draw the open question: what is known, a count that supports it, and what remains a coincidence."""
     with slide("reason", _("Is there a reason?")):
         st.header(_("Is there a reason?"), anchor=False)
         sentence = _(
@@ -111,8 +115,8 @@ def draw_open_question() -> None:
         explain_norm()
     with slide("norm", _("{number} as a norm").format(number=PAPER.discriminant)):
         describe_norm()
-    pairs = [machine.bodies[:2] for machine in cache.machines()[:: len(BODIES)]]
-    paper = pairs.index(PAPER.bodies[:2])
+    pairs = roller_pairs()
+    paper = pairs.index((PAPER.left, PAPER.right))
     with slide("counts", _("A count")):
         tallies = _count_cubes(pairs)
         projector = display_mode.is_projector()
@@ -167,7 +171,7 @@ def describe_norm() -> None:
     ways = number_theory.represent_x2_plus_3y2(PAPER.discriminant)
     primes = [prime for prime, _power in PAPER.factorization]
     norms = {prime: number_theory.represent_x2_plus_3y2(prime)[0] for prime in primes}
-    written = "$ $= ".join(f"{a}^2+3\\cdot{b}^2" for a, b in reversed(ways))
+    forms = "$ $= ".join(f"{a}^2+3\\cdot{b}^2" for a, b in reversed(ways))
     sentence = ngettext(
         "**What it says about {number}.** There is one way to write it in this form: ${written}$.",
         "**What it says about {number}.** There are {n:word} ways to write it in this form: ${written}$.",
@@ -175,7 +179,7 @@ def describe_norm() -> None:
     )
     number, cubes = columns("ways")
     with number:
-        st.markdown(filled(sentence, number=PAPER.discriminant, n=len(ways), written=written))
+        st.markdown(filled(sentence, number=PAPER.discriminant, n=len(ways), written=forms))
     factors = "$, $".join(f"{prime}={a}^2+3\\cdot{b}^2" for prime, (a, b) in norms.items())
     remainder = ", ".join(str(rest) for rest in {p % 3 for p in primes})
     sentence = _(
@@ -195,6 +199,7 @@ def describe_norm() -> None:
 
 
 def _count_cubes(pairs: list[tuple[str, str]]) -> list[cache.Tally]:
+    """Return the count for each pair of lower rollers, and draw the progress."""
     progress, tallies = st.empty(), []
     for n, names in enumerate(pairs):
         progress.progress(n / len(pairs), _("Counting sums of two cubes …"))
@@ -203,29 +208,36 @@ def _count_cubes(pairs: list[tuple[str, str]]) -> list[cache.Tally]:
     return tallies
 
 
-def draw_counts(tallies: list[cache.Tally], at: int) -> None:
-    """Draw the number of discriminants that are sums of two cubes, for each pair of lower rollers."""
-    paper = tallies[at]
+def draw_counts(tallies: list[cache.Tally], paper_index: int) -> None:
+    """Draw the number of discriminants that are sums of two cubes, for each pair of lower rollers.
+
+    Parameters
+    ----------
+    tallies : the counts of all pairs
+    paper_index : index of the paper's pair
+    """
+    paper = tallies[paper_index]
     second = max((tally for tally in tallies if tally is not paper), key=lambda tally: tally.sums)
     smaller = [tally for tally in tallies if tally.median < paper.median]
     labels = [pair_name(*tally.pair) for tally in tallies]
-    sums, item = [tally.sums for tally in tallies], _("{pair}: {sums}")
-    listed = "; ".join(item.format(pair=label, sums=n) for label, n in zip(labels, sums, strict=True))
+    sums = [tally.sums for tally in tallies]
+    template = _("{pair}: {sums}")
+    list_of_sums = "; ".join(template.format(pair=label, sums=n) for label, n in zip(labels, sums, strict=True))
     alternative = _(
         "How many of {count} discriminants are sums of two positive cubes, by pair of lower rollers. The paper’s pair "
         "has the most. {sums}."
     )
-    figure = figures.cube_counts(labels, sums, at, theme.colors())
-    drawings.plot(figure, "counts", alternative.format(count=paper.machines, sums=listed))
-    counted = _(
+    figure = figures.cube_counts(labels, sums, paper_index, theme.colors())
+    drawings.plot(figure, "counts", alternative.format(count=paper.machines, sums=list_of_sums))
+    caption = _(
         "Counted for all targets p/q with p and q up to {most} that every machine reaches, and for each body on top: "
         "{paper.machines} discriminants for each pair of lower rollers. The paper’s pair, {pair}, gives {paper.sums} "
         "sums of two cubes; the next pair gives {second}. Small numbers are such sums more often, but this is not the "
         "reason here: half of this pair’s discriminants are below {paper.median:3↑}, and for {smaller:word} other "
         "pairs that limit is lower."
     )
-    most = cache.COUNTED_PART
-    st.caption(filled(counted, most=most, paper=paper, pair=labels[at], second=second.sums, smaller=len(smaller)))
+    values = {"most": cache.COUNTED_PART, "pair": labels[paper_index], "second": second.sums, "smaller": len(smaller)}
+    st.caption(filled(caption, paper=paper, **values))
 
 
 def name_coincidences(paper: cache.Tally) -> None:

@@ -86,14 +86,14 @@ def draw_digits() -> None:
 
 
 def table_of_ratios() -> list[tuple[str, ...]]:
-    """Return the table of ratios for the workshop."""
+    """Return the table of ratios for the workshop, as rows of Markdown."""
     rows: list[tuple[str, ...]] = [
         (_("ratio $\\varepsilon$"), _("error $\\Omega^2m/k-1$"), _("one full turn apart after"))
     ]
     for ratio, error, periods in cache.practical_machines():
-        lasting = ngettext("{n} period", "{n} periods", round(periods)).format(n=number(round(periods), 4))
-        shown = f"{error.numerator}/{error.denominator}\\approx{scientific(error)}"
-        rows.append((f"${ratio.numerator}/{ratio.denominator}$", f"${{{shown}}}$", lasting))
+        duration = ngettext("{n} period", "{n} periods", round(periods)).format(n=number(round(periods), 4))
+        error_text = f"{error.numerator}/{error.denominator}\\approx{scientific(error)}"
+        rows.append((f"${ratio.numerator}/{ratio.denominator}$", f"${{{error_text}}}$", duration))
     return rows
 
 

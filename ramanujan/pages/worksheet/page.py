@@ -24,8 +24,10 @@ KEY = worksheet_keys.key_parameter("key")
 LEVEL_WORDS = {1: _("Derivation with few blanks"), 2: _("With many blanks"), 3: _("On a blank page")}
 LEVEL = address.Choice("level", LEVEL_WORDS, 1)
 URL_PARAMETERS = (PAPER, SEED, LEVEL, KEY)
-# Lines of a slide, letters in a line, and letters of LaTeX in a row of formulas.
-_LINES, _WIDTH, _ROW = {"questions": 15, "key": 11}, 105, 330
+_LINES_PER_SLIDE = {"questions": 15, "key": 11}
+# Number of characters in a line of a slide: of text, and of LaTeX for formulas in a row.
+_TEXT_WIDTH, _FORMULA_WIDTH = 105, 330
+# A line to write on, as HTML.
 _LINE = "<span style='flex:1;border-bottom:1px solid'></span>"
 
 
@@ -42,29 +44,41 @@ def show() -> None:
     with nullcontext() if is_projector() else st.container(key="worksheet", border=True):
         with first_slide:
             draw_head(machine, paper, seed, calculations, sum(question.points for question in numbered))
-        for drawn in slides_of(enumerate(numbered, start=1), paper == "key"):
-            first, last = drawn[0][0], drawn[-1][0]
-            numbers = _("Question {first}") if first == last else _("Questions {first} to {last}")
-            with slide(f"question_{first}", numbers.format(first=first, last=last)):
-                for number, question in drawn:
+        first = 1
+        for group in slides_of(numbered, paper == "key"):
+            last = first + len(group) - 1
+            title = _("Question {first}") if first == last else _("Questions {first} to {last}")
+            with slide(f"question_{first}", title.format(first=first, last=last)):
+                for number, question in enumerate(group, start=first):
                     draw_question(number, question, paper == "key")
+            first = last + 1
 
 
-def slides_of(
-    numbered: Iterable[tuple[int, WorksheetQuestion]], with_key: bool
-) -> Iterator[list[tuple[int, WorksheetQuestion]]]:
-    """Yield the numbered questions that fit on one slide."""
-    drawn: list[tuple[int, WorksheetQuestion]] = []
+def slides_of(questions: Iterable[WorksheetQuestion], with_key: bool) -> Iterator[list[WorksheetQuestion]]:
+    """Yield groups of successive questions that fit on one slide."""
+    room = _LINES_PER_SLIDE["key" if with_key else "questions"]
+    group: list[WorksheetQuestion] = []
     used = 0.0
-    for number, question in numbered:
-        lines = [line for text in question_parts(question, with_key) for line in text.splitlines() if line]
-        height = sum(1.5 * (1 + len(each) // _ROW) if "$$" in each else 1 + len(each) // _WIDTH for each in lines)
-        if drawn and used + height > _LINES["key" if with_key else "questions"]:
-            yield drawn
-            drawn, used = [], 0.0
-        drawn.append((number, question))
+    for question in questions:
+        height = height_of(question, with_key)
+        if group and used + height > room:
+            yield group
+            group, used = [], 0.0
+        group.append(question)
         used += height
-    yield drawn
+    yield group
+
+
+def height_of(question: WorksheetQuestion, with_key: bool) -> float:
+    """Return the estimated height of a question on a slide [lines of text]."""
+    height = 0.0
+    for part in question_parts(question, with_key):
+        for line in part.splitlines():
+            if "$$" in line:
+                height += 1.5 * (1 + len(line) // _FORMULA_WIDTH)
+            elif line:
+                height += 1 + len(line) // _TEXT_WIDTH
+    return height
 
 
 def question_parts(question: WorksheetQuestion, with_key: bool) -> tuple[str, ...]:
@@ -83,7 +97,8 @@ def uses_sidebar() -> bool:
 def draw_options() -> tuple[str, str, int]:
     """Draw the options: worksheet, level, and with a key questions or answers. They are not printed."""
     with st.container(horizontal=True, vertical_alignment="bottom", key="worksheet_choices"):
-        has_key, paper = worksheet_keys.fits(KEY, address.current(SEED)), "questions"
+        has_key = worksheet_keys.fits(KEY, address.current(SEED))
+        paper = "questions"
         if has_key:
             paper = widgets.segmented_control(PAPER, _("Worksheet"), label_visibility="collapsed")
         draw_name_box()
@@ -101,8 +116,9 @@ def draw_options() -> tuple[str, str, int]:
 def draw_name_box() -> None:
     """Draw the box for the name of a worksheet. A reader copies this name from paper."""
 
-    def take() -> None:
-        if name := worksheet_keys.read_name(st.session_state["worksheet_name"]):
+    def store_name() -> None:
+        name = worksheet_keys.read_name(st.session_state["worksheet_name"])
+        if name:
             st.session_state[SEED.name] = name
         else:
             sentence = _("A worksheet’s name has {n:word} letters, all from {letters}. The old name was kept.")
@@ -110,7 +126,12 @@ def draw_name_box() -> None:
 
     st.session_state["worksheet_name"] = spaced(address.current(SEED))
     st.text_input(
-        _("Name of the worksheet"), key="worksheet_name", max_chars=40, width=230, on_change=take, autocomplete="off"
+        _("Name of the worksheet"),
+        key="worksheet_name",
+        max_chars=40,
+        width=230,
+        on_change=store_name,
+        autocomplete="off",
     )
     messages.show_note(SEED.name)
 
@@ -122,7 +143,16 @@ def make_worksheet() -> None:
 
 
 def draw_head(machine: Oscillator, paper: str, seed: str, calculations: list[int], points: int) -> None:
-    """Draw the title, the name that worksheet and key have in common, and the machine of the calculations."""
+    """Draw the title with the name of the worksheet, and the machine of the calculations.
+
+    Parameters
+    ----------
+    machine : the machine of the calculations
+    paper : an option of `PAPER`
+    seed : name of the worksheet
+    calculations : numbers of the questions that use the machine's values
+    points : sum of the points of all questions
+    """
     title = _("Ramanujan’s oscillator: key {seed}") if paper == "key" else _("Ramanujan’s oscillator: worksheet {seed}")
     st.title(title.format(seed=spaced(seed)), anchor=False)
     if paper == "questions" and not is_projector():
@@ -155,8 +185,8 @@ def draw_head(machine: Oscillator, paper: str, seed: str, calculations: list[int
 def draw_question(number: int, question: WorksheetQuestion, with_key: bool) -> None:
     """Draw a question with space to write, or with its answer. A page break may split only its lines."""
     with st.container(key=f"question_{number}"):
-        worth = ngettext("({n} point)", "({n} points)", question.points).format(n=question.points)
-        begin = f"**{number}.** " if is_projector() else f"**{number}.** {worth} "
+        points = ngettext("({n} point)", "({n} points)", question.points).format(n=question.points)
+        begin = f"**{number}.** " if is_projector() else f"**{number}.** {points} "
         st.markdown(begin + "\n\n".join(filter(None, question_parts(question, with_key))))
         if not (with_key or is_projector()):
             lines = "<div style='border-bottom:1px dotted #888;height:1cm'></div>" * question.space
