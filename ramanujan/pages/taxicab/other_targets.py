@@ -135,7 +135,7 @@ def draw_open_question() -> None:
 
 
 def explain_form() -> None:
-    """Name the bodies that lead to the form for any target."""
+    """Explain which bodies lead to a discriminant of the form x² + 3y²."""
     x, y = number_theory.norm_form()
     sentence = _(
         "**Where the form comes from.** The discriminant of the paper’s machine is ${x}^2+3\\cdot{y}^2={number}$. A "
