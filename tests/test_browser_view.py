@@ -141,13 +141,14 @@ def check_slides(page, count: int, with_sentences: bool) -> None:
     for slide, title in enumerate(titles, start=1):
         expect(page.locator(PLACE)).to_have_text(title)
         # A figure that becomes visible may be redrawn.
-        for _ in range(10):
-            if not (on_one_another := page.evaluate(OVERLAPS)):
+        for _ in range(40):
+            faults = page.evaluate(OVERLAPS) + page.evaluate(OUT)
+            if not faults:
                 break
             page.wait_for_timeout(300)
         laid = page.evaluate(LAYOUT)
         fits = laid["visible"] == 1 and max(laid["over"], laid["wide"]) <= 2 and laid["filled"] > 1 / 3
-        wrong += [(title, each) for each in on_one_another + page.evaluate(SIZES, 23.9) + page.evaluate(OUT)]
+        wrong += [(title, each) for each in faults + page.evaluate(SIZES, 23.9)]
         wrong += [] if fits else [(title, laid)]
         if slide < len(titles):
             page.locator(".st-key-pager .next").click()
@@ -163,7 +164,7 @@ def check_slides(page, count: int, with_sentences: bool) -> None:
     page.set_viewport_size({"width": 1920, "height": 1080})
     next_frame(page)
     assert page.evaluate(BAR) == 0
-    page.wait_for_function(f"({OUT})().length === 0", polling=200, timeout=5000)
+    page.wait_for_function(f"({OUT})().length === 0", polling=200)
     assert page.evaluate(SIZES, 23.9) == []
 
 
