@@ -40,13 +40,15 @@ def arrows(
 
     def compare(picture: Picture, drawn: dict) -> Pairs:
         lines, scale = drawn["layers"][layer]["lines"], drawn["layers"][layer]["scale"]
+        assert scale, f"Add a reference arrow of {layer} to the group scales in stage.html."
+        assert scale["text"], f"Write the value of the reference arrow of {layer} in layers.js."
         mantissa = scale["value"] / 10 ** math.floor(math.log10(scale["value"]) + 1e-9)
         assert round(mantissa, 9) in (1, 2, 5)
         assert scale["text"].partition("\u202f")[2] == unit
         per_unit = size(scale["box"]) / scale["value"]
         expected = values(picture)
         assert per_unit > 0
-        assert lines.keys() == expected.keys()
+        assert lines.keys() == expected.keys(), f"The group .{layer} of stage.html lacks marks of MARKS, or has others."
         return {name: (size(lines[name]), float(value) * per_unit) for name, value in expected.items()}
 
     return compare
@@ -146,10 +148,18 @@ def wrong(pairs: Pairs, factor: float = 1.0) -> list[str]:
     return [name for name, (drawn, expected) in pairs.items() if abs(factor * drawn - expected) > PIXEL]
 
 
+UNPAINTED = """[...root.querySelectorAll("[data-line] .line, .scales [data-of] path")].filter((path) => {
+  path.style.color = "var(--arrow, var(--ink))";
+  const { color, stroke, fill } = getComputedStyle(path);
+  return ![stroke, fill].includes(color);
+}).map((path) => path.parentNode.dataset.of ?? path.parentNode.parentNode.classList[0])"""
+"""Layers with a line or a reference arrow that has neither its body's colour nor that of the text."""
+
+
 @ANY_ENGINE
 def test_the_marks_of_every_layer_agree_with_the_core(bare):
     missing = stage.LAYERS.keys() - MARKS.keys()
-    assert not missing, f"Add to MARKS how the core computes the marks of {missing}."
+    assert not missing, f"Add to MARKS how the core computes the marks of {sorted(missing)}."
     picture = Picture(bare())
     picture.layers(*stage.LAYERS)
     longest = dict.fromkeys(stage.LAYERS, 0.0)
@@ -168,3 +178,5 @@ def test_the_marks_of_every_layer_agree_with_the_core(bare):
                     assert wrong(pairs, -1)
                     assert wrong(pairs, 3)
     assert min(longest.values()) > 20 * PIXEL, longest
+    unpainted = sorted(set(picture.find(UNPAINTED)))
+    assert not unpainted, f"stage.css needs rules for the lines and reference arrows of {unpainted}."

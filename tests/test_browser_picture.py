@@ -12,6 +12,7 @@ import numpy as np
 import pytest
 
 from ramanujan import UNIT_MASS_RATIO, Oscillator, mass_ratio_for
+from ramanujan.browser import stage
 from ramanujan.contact import normal_forces
 from ramanujan.motion import InitialState, ground_positions, ground_velocities, released
 from ramanujan.pages.motion.cache import drawn_spacing
@@ -406,7 +407,7 @@ def test_no_letter_is_covered_by_an_arrow_or_another_letter(picture, some):
                     assert not overlap(box, head, 0.25), (R, compression, periods, letter)
             for (_, first), (_, second) in combinations(seen["forces"], 2):
                 assert not overlap(first, second, 0), (R, compression, periods)
-    picture.layers("arrows", "forces", "weights", "coordinates")
+    picture.layers(*stage.LAYERS)
     letters = picture.page.evaluate(boxes)["letters"]
     assert not [(a, b) for (a, first), (b, second) in combinations(letters, 2) if overlap(first, second, 0.35)]
 

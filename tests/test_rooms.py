@@ -20,10 +20,27 @@ LANGUAGE = {"catalogue", "translation", "numerals"}
 """Rooms that every room may import."""
 
 
+GUIDE = (ROOT / ".github" / "CONTRIBUTING.md").read_text(encoding="utf-8")
+
+
+FOLDERS = [ROOT / folder for folder in ("", "ramanujan", "ramanujan/browser/stage")]
+"""Folders in which the guide's file names begin."""
+
+
+def test_every_name_in_the_guide_is_defined_in_its_file():
+    """The guide contains "`NAME` of `file`" and "`NAME` in `file`"."""
+    places = re.findall(r"`(\w+)` (?:of|in) `([\w/]+\.(?:py|js|html|css))`", GUIDE)
+    assert len(places) > 8
+    for name, file in places:
+        (path,) = (folder / file for folder in FOLDERS if (folder / file).is_file())
+        code = path.read_text(encoding="utf-8")
+        defined = re.search(rf"^(?:(?:def|class) )?{name}\b", code, re.MULTILINE)
+        assert defined, f"CONTRIBUTING.md mentions {name} of {file}, which defines no such name."
+
+
 def import_table() -> dict[str, tuple[set[str], set[str]]]:
     """Return room → rooms from which it may import, besides those of `LANGUAGE`; third-party packages."""
-    guide = (ROOT / ".github" / "CONTRIBUTING.md").read_text(encoding="utf-8")
-    rows = guide.partition("| room |")[2].partition("\n\n")[0].splitlines()[2:]
+    rows = GUIDE.partition("| room |")[2].partition("\n\n")[0].splitlines()[2:]
     table = {}
     for row in rows:
         names, inside, outside = row.split("|")[1:4]

@@ -124,7 +124,7 @@ RATIOS = {"equal": 1.0, "unit": (math.sqrt(1729) - 1) / 36, "light": 0.1, "heavy
 
 @pytest.mark.parametrize("preset", PRESETS)
 def test_presets_choose_round_values_in_range_and_their_ratio(app, preset):
-    assert preset in (*RATIOS, "reset"), "Add the mass ratio of the preset to RATIOS."
+    assert preset in (*RATIOS, "reset"), f"Add the mass ratio of {preset!r} to RATIOS."
     app.run()
     ratio = RATIOS.get(preset)
     for m in (0.5, 0.77, 1.0, 3.7, 4.99, 5.0):
@@ -133,9 +133,11 @@ def test_presets_choose_round_values_in_range_and_their_ratio(app, preset):
         assert all(PARAMETERS[key].least <= value <= PARAMETERS[key].most for key, value in now.items()), m
         assert app.pills(key="preset").value is None
         if ratio:
-            assert now["m_prime"] / now["m"] == pytest.approx(ratio, rel=4e-16), m
+            other = f"At m = {m} the ratio is not that of RATIOS. The sliders allow ratios from 0.01 to 20."
+            assert now["m_prime"] / now["m"] == pytest.approx(ratio, rel=4e-16), other
         if ratio and preset != "unit":
-            assert max(len(repr(now[key])) for key in ("m", "m_prime")) <= 6, m
+            shown = [repr(now[key]) for key in ("m", "m_prime")]
+            assert max(map(len, shown)) <= 6, f"The boxes show {shown}. Choose a ratio with at most two decimals."
         if preset == "unit":
             assert (now["m"], now["m_prime"]) == (m, UNIT_MASS_RATIO * m)
             machine = Oscillator(now["m"], now["m_prime"], now["k"])

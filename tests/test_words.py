@@ -135,9 +135,12 @@ def test_a_quoted_label_is_the_label_of_the_page(language):
 
 @pytest.mark.parametrize("language", COMPLETE)
 def test_a_complete_language_has_every_message(language):
-    """If you do not speak the language, see "An English sentence changes" in CONTRIBUTING.md."""
     missing = remaining(merged(language))["missing"]
-    assert not missing, "\n".join([f"Run python -m tests.catalogue, then translate into {language}:", *missing])
+    work = f"Run python -m tests.catalogue, then translate these messages into {language}."
+    otherwise = (
+        "If you do not know the language, see “An English sentence is new, or changes” in .github/CONTRIBUTING.md."
+    )
+    assert not missing, "\n".join([work, otherwise, *missing])
 
 
 ENTRY = """
