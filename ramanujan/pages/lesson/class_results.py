@@ -32,36 +32,46 @@ def show(access: str, stop: Stop, vote: Vote, solved: bool, chosen: str | None =
     except ClassError as error:
         st.warning(str(error))
         return
+    right = stop.right if solved else None
+    label_width, chart_width = 3, 2
+    widths = [label_width, *(chart_width for _vote in all_votes)]
+    # In a narrow chart the style sheet shows the names of the votes in the bars instead of the headings.
+    templates = (_("*First vote:* {share}"), _("*Second vote:* {share}")) if vote.is_second else ("{share}",)
     with st.container(key="class_result"):
-        if solved and (sentence := _changes_sentence(changes)):
+        changes_sentence = _changes_sentence(changes)
+        if solved and changes_sentence:
             with st.container(key="class_changes"):
-                st.markdown(sentence)
-        right, widths = stop.right if solved else None, [3, *(2 for _vote in all_votes)]
+                st.markdown(changes_sentence)
         if vote.is_second:
             with st.container(key="class_votes"):
                 headings = st.columns(widths, gap="small")[1:]
                 for heading, name in zip(headings, (_("First vote"), _("Second vote")), strict=True):
                     heading.markdown(f"**{name}**")
         for option, text in stop.options.items():
-            label, *places = st.columns(widths, gap="small")
+            label, *charts = st.columns(widths, gap="small")
             label.markdown(_label(text, option == right, option == chosen))
-            # In a narrow chart the style sheet shows these names instead of the headings.
-            named = (_("*First vote:* {share}"), _("*Second vote:* {share}")) if vote.is_second else ("{share}",)
-            for place, votes, template in zip(places, all_votes, named, strict=True):
+            for chart, votes, template in zip(charts, all_votes, templates, strict=True):
                 total = sum(votes.values())
                 share = votes[option] / total if total else 0.0
-                place.progress(share, template.format(share=_share(votes[option], total)))
+                chart.progress(share, template.format(share=_share(votes[option], total)))
 
 
 @st.cache_data(show_spinner=False, max_entries=256)
 def _result(access: str, stop: str, vote: Vote) -> tuple[Sequence[Mapping[str, int]], Counter[tuple[bool, bool]]]:
-    """Return the votes on a question, option → number, and the changes. A revealed result no longer changes."""
+    """Return the result of each vote (option → number of votes), and how answers changed between the two votes.
+
+    The key of a change is whether the first answer was right, and whether the second one was. A revealed result is
+    final, so it is cached.
+    """
     votes = [shared().distribution(access, stop, Vote(vote.asking, number)) for number in range(1, vote.number + 1)]
+    if not vote.is_second:
+        return votes, Counter()
     right = lesson.stop(stop).right
-    return votes, shared().changes(access, stop, right, vote.asking) if vote.is_second else Counter()
+    return votes, shared().changes(access, stop, right, vote.asking)
 
 
 def _label(label: str, right: bool, own: bool) -> str:
+    """Return the label of an option, marked if it is right or the student's own answer."""
     if right and own:
         return _(":green[:material/check_circle:] **{label}** – This is right, and it was your answer.").format(
             label=label
@@ -82,18 +92,21 @@ def _share(people: int, total: int) -> str:
 
 def _changes_sentence(changes: Counter[tuple[bool, bool]]) -> str:
     """Return the number of changed answers of each kind; an empty text without a second vote."""
-    kinds = {"up": (False, True), "down": (True, False), "both": (True, True)}
+    if not changes:
+        return ""
     sentence = _("**Changed to the right answer: {up}.** Changed to a wrong answer: {down}. Right both times: {both}.")
-    return sentence.format(**{name: changes[kind] for name, kind in kinds.items()}) if changes else ""
+    return sentence.format(up=changes[False, True], down=changes[True, False], both=changes[True, True])
 
 
 def draw_commonest_mistake(access: str, stop: Stop, vote: Vote) -> None:
     """Name the most frequent wrong answer of the last vote, with the reply to it. Do nothing without a wrong answer."""
-    votes, right = _result(access, stop.id, vote)[0][-1], stop.right
-    most = max((option for option in stop.options if option != right), key=votes.__getitem__)
-    if votes[most]:
+    all_votes, _changes = _result(access, stop.id, vote)
+    votes = all_votes[-1]
+    wrong_options = [option for option in stop.options if option != stop.right]
+    commonest = max(wrong_options, key=votes.__getitem__)
+    if votes[commonest]:
         sentence = _("**Chosen most of the wrong answers:** {label}\\\n{reply}")
-        st.markdown(sentence.format(label=stop.options[most], reply=stop.reply(most)))
+        st.markdown(sentence.format(label=stop.options[commonest], reply=stop.reply(commonest)))
 
 
 def draw_whole_lesson(access: str) -> None:
@@ -102,23 +115,31 @@ def draw_whole_lesson(access: str) -> None:
     if not revealed:
         st.markdown(_("No right answer was shown to this class."))
         return
-    if twice := [each for each in revealed if each.second]:
+    twice = [each for each in revealed if each.second]
+    if twice:
         before = _share_of_right([(each.stop, each.first) for each in twice])
         after = _share_of_right([(each.stop, each.second) for each in twice if each.second])
         sentence = _("Right before students talked to their neighbours: {before}. Right after it: {after}.")
         st.markdown(sentence.format(before=before, after=after))
     rows = [(_("Question"), _("Right at first"), _("After talking"))]
     for each in revealed:
-        votes = [_share_of_right([(each.stop, vote)]) if vote else "–" for vote in (each.first, each.second)]
-        rows.append((lesson.stop(each.stop).heading, votes[0], votes[1]))
+        first, second = (_share_of_right([(each.stop, vote)]) if vote else "–" for vote in (each.first, each.second))
+        rows.append((lesson.stop(each.stop).heading, first, second))
     widgets.table(rows, key="learned")
 
 
-def _share_of_right(voted: Sequence[tuple[str, Mapping[str, int]]]) -> str:
-    """Return the share of right answers in a vote on stops, given by their ids."""
-    return _share(
-        sum(votes[lesson.stop(stop).right] for stop, votes in voted), sum(sum(votes.values()) for _stop, votes in voted)
-    )
+def _share_of_right(results: Sequence[tuple[str, Mapping[str, int]]]) -> str:
+    """Return the share of right answers in several votes.
+
+    Parameters
+    ----------
+    results : id of the stop, and its votes (option → number)
+    """
+    right = total = 0
+    for stop, votes in results:
+        right += votes[lesson.stop(stop).right]
+        total += sum(votes.values())
+    return _share(right, total)
 
 
 def draw_reason(stop: Stop, chosen: str | None = None) -> None:

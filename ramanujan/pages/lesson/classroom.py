@@ -1,10 +1,10 @@
 """The class on the lesson's page, with three kinds of screens: desk, phones, and the wall (`wall`).
 
-    guests()      at the top of the page: draws only the class on a student's phone
-    door()        the controls to open a class or to join one
-    panel()       on the page of a stop: the lecturer's desk
+    draw_phone()  at the top of the page: draws only the class on a student's phone
+    draw_door()   the controls to open a class or to join one
+    draw_desk()   on the page of a stop: the lecturer's desk
 
-Every screen polls the class every few seconds: one read by keys.
+Every screen polls the class every few seconds. A poll is a single read of the database.
 """
 
 import time
@@ -31,10 +31,11 @@ DESK_EVERY, PHONE_EVERY = 2.0, 2.5
 """Interval at which a desk or a phone polls the class [s]."""
 
 _LONGEST_CODE = 20
+"""Largest length of a typed code."""
 NOTHING_TO_SET = """<style>@media (width < 1000px) {
   :root:root:root { --drawer: 0px; --drawer-content: none; .st-key-bar { display: none; } }
 }</style>"""
-"""A style rule for the phone of a student. A rule for all pages would need :has(), which makes styles twice as slow."""
+"""A style rule that hides drawer and bar on a student's phone. In page.css it would need :has(), which is slow."""
 # TRANSLATORS: names of keys as your keyboards have them.
 _KEY_NAMES = {"--page-up": _("PageUp"), "--page-down": _("PageDown")}
 KEY_NAMES = "<style>:root {{ {} }}</style>".format("; ".join(f'{key}: "{name}"' for key, name in _KEY_NAMES.items()))
@@ -42,7 +43,7 @@ KEY_NAMES = "<style>:root {{ {} }}</style>".format("; ".join(f'{key}: "{name}"' 
 _DRAWN = "class_drawn"
 """Session state: the stop whose machine the phone shows, and whether the machine runs."""
 _LAST_STOP = "class_seen"
-"""Session state: the question of the class that this desk last read."""
+"""Session state: the stop of the class that this desk last read."""
 _ENDED = "class_ended"
 """Session state: whether the desk has ended its class, and the first page of the lesson confirms it."""
 
@@ -52,37 +53,44 @@ def draw_phone(show: Callable[..., None]) -> None:
 
     Parameters
     ----------
-    show : function that draws the machine of a stop, such as `stops.show`
+    show : function that draws the machine of a stop, such as `stops.draw_observation`
     """
     class_session.restore_role()
     if class_session.awaited_class():
         _draw_waiting()
         st.stop()
-    if seat := student_seat():
-        visible = None
-        with suppress(ClassError):
-            visible = _visible_machine(class_session.question(seat.code))
-        st.session_state[_DRAWN] = visible
-        with st.container(key="class_phone"):
-            st.html(NOTHING_TO_SET)
-            above = st.container()
-            # The fragment runs first, because the next run can cut off the end of this one.
-            _draw_seat()
-            below = st.container()
-            _draw_leave_button()
-        if visible:
-            class_session.apply_settings(shared().machine(seat.code))
-            stop, running = lesson.stop(visible[0]), visible[1]
-            with above:
-                st.title(stop.heading, anchor=False)
-                st.markdown(stop.question)
-            # A small phone shows the options of an open question. Once the machine runs, it is above the result.
-            with above if running else below:
-                show(stop, running, fixed=True)
-        with suppress(ClassError):
-            expires, is_storing = shared().expires(seat.code), not class_session.has_no_storage()
-            st.caption(class_results.storage_sentence(expires, is_browser_storing=is_storing))
+    seat = student_seat()
+    if seat:
+        _draw_student_page(seat, show)
         st.stop()
+
+
+def _draw_student_page(seat: Seat, show: Callable[..., None]) -> None:
+    """Draw the current question of a student, and the machine of its stop."""
+    visible = None
+    with suppress(ClassError):
+        visible = _visible_machine(class_session.question(seat.code))
+    st.session_state[_DRAWN] = visible
+    with st.container(key="class_phone"):
+        st.html(NOTHING_TO_SET)
+        above = st.container()
+        # The fragment runs first, because the next run can cut off the end of this one.
+        _draw_seat()
+        below = st.container()
+        _draw_leave_button()
+    if visible:
+        class_session.apply_settings(shared().machine(seat.code))
+        name, running = visible
+        stop = lesson.stop(name)
+        with above:
+            st.title(stop.heading, anchor=False)
+            st.markdown(stop.question)
+        # While the question is open, a small phone needs its room for the options, so the machine is below them.
+        with above if running else below:
+            show(stop, running, fixed=True)
+    with suppress(ClassError):
+        expires, is_storing = shared().expires(seat.code), not class_session.has_no_storage()
+        st.caption(class_results.storage_sentence(expires, is_browser_storing=is_storing))
 
 
 def draw_door() -> None:
@@ -143,8 +151,9 @@ def draw_desk(stop: Stop, phase: Phase) -> None:
     if key is None:
         return
     class_session.send_settings(key)
-    _follow_stage(parts_of(key)[0])
-    _desk(stop, phase)
+    code, _secret = parts_of(key)
+    _follow_stage(code)
+    _draw_live_desk(stop, phase)
 
 
 @st.fragment(run_every=class_session.VIEW_INTERVAL)
@@ -156,11 +165,13 @@ def _follow_stage(code: str) -> None:
 def draw_end() -> None:
     """Draw the lecturer's desk after the last stop."""
     st.title(class_results.RESULTS_HEADING, anchor=False)
-    _desk(None, Phase.ASKED)
+    _draw_live_desk(None, Phase.ASKED)
 
 
 def _draw_error() -> None:
-    if sentence := class_session.refusal():
+    """Draw the error message of the last action, if there is one."""
+    sentence = class_session.refusal()
+    if sentence:
         st.warning(sentence)
 
 
@@ -168,12 +179,14 @@ def _draw_error() -> None:
 
 
 @st.fragment(run_every=DESK_EVERY)
-def _desk(stop: Stop | None, phase: Phase) -> None:
-    """Draw the desk next to a stop in this phase, or at the end. Rerun the page when stop or phase has changed."""
-    if (key := lecturer_key()) is None:
+def _draw_live_desk(stop: Stop | None, phase: Phase) -> None:
+    """Draw the desk at a stop in this phase, or at the end. Rerun the page when stop or phase has changed."""
+    key = lecturer_key()
+    if key is None:
         st.rerun()
     st.session_state.setdefault(_LAST_STOP, None)
-    code, place = parts_of(key)[0], stop.id if stop else END
+    code, _secret = parts_of(key)
+    place = stop.id if stop else END
     with st.container(key="class_desk"):
         _draw_error()
         try:
@@ -184,7 +197,8 @@ def _desk(stop: Stop | None, phase: Phase) -> None:
             st.button(_("Leave this class"), key="class_leave", on_click=leave)
             return
         _follow_desk(now, place)
-        if (last.phase if last else Phase.ASKED) != phase:
+        current_phase = last.phase if last else Phase.ASKED
+        if current_phase != phase:
             st.rerun()
         st.markdown(f"**{_attendance_sentence(place, now)}** {class_results.recent_sentence(shared().seats(key))}")
         with st.container(key="class_moves", horizontal=True, gap="small"):
@@ -202,7 +216,13 @@ def _desk(stop: Stop | None, phase: Phase) -> None:
 
 
 def _follow_desk(now: ClassQuestion, place: str) -> None:
-    """Open the stop to which another desk has taken the class."""
+    """Open the stop to which another desk has taken the class.
+
+    Parameters
+    ----------
+    now : the current question of the class
+    place : the stop that this desk shows, or END
+    """
     if now.stop != st.session_state[_LAST_STOP]:
         st.session_state[_LAST_STOP] = now.stop
         st.session_state[progress.STOP.name] = now.stop or place
@@ -212,7 +232,7 @@ def _follow_desk(now: ClassQuestion, place: str) -> None:
 
 
 def _attendance_sentence(place: str, now: ClassQuestion) -> str:
-    """Return attendance and number of answers, as a sentence."""
+    """Return a sentence about attendance and answers for a desk at this place, or about the place of the class."""
     if not now.is_known:
         return class_results.unknown_stop_sentence()
     if now.stop is None or now.stop == place == END:
@@ -225,26 +245,41 @@ def _attendance_sentence(place: str, now: ClassQuestion) -> str:
 
 
 def _draw_moves(key: str, stop: Stop | None, now: ClassQuestion, last: ClassQuestion | None) -> None:
-    """Draw a button for each possible move. A clicker presses the first two: back and forward."""
+    """Draw a button for each possible move. A clicker presses the first two: back and forward.
+
+    Parameters
+    ----------
+    key : the lecturer's key
+    stop : the stop of this desk, None at the end
+    now : the current question of the class
+    last : the last state of this stop in the class, None if the class was never at this stop
+    """
 
     def button(
-        label: str, name: str, act: Callable[..., None], *more: object, keyed: str = "", disabled: bool = False
+        label: str,
+        name: str,
+        action: Callable[..., None],
+        *arguments: object,
+        shortcut: str = "",
+        disabled: bool = False,
     ) -> None:
         st.button(
             label,
             key=f"class_{name}",
-            type="primary" if keyed == "PageDown" else "secondary",
-            shortcut=keyed or None,
+            type="primary" if shortcut == "PageDown" else "secondary",
+            shortcut=shortcut or None,
             on_click=run_or_refuse,
-            args=(act, key, *more),
+            args=(action, key, *arguments),
             disabled=disabled,
         )
 
     st.html(KEY_NAMES)
     place = stop.id if stop else END
-    opened = now.stop == place and now.phase > Phase.ASKED
-    button(_("Go back"), "back", _go_back, place, keyed="PageUp", disabled=not (opened or progress.previous(place)))
-    button(*_forward_move(stop, now, last), keyed="PageDown", disabled=now.stop == place == END)
+    shows_result = now.stop == place and now.phase > Phase.ASKED
+    can_go_back = shows_result or progress.previous(place) is not None
+    button(_("Go back"), "back", _go_back, place, shortcut="PageUp", disabled=not can_go_back)
+    is_over = now.stop == place == END
+    button(*_forward_move(stop, now, last), shortcut="PageDown", disabled=is_over)
     if stop and now.stop != place and last:
         button(_("Ask this question again"), "anew", partial(shared().ask, anew=True), place, list(stop.options))
     if now.stop == place != END and not now.vote.is_second and now.reached < Phase.RUNNING:
@@ -252,13 +287,14 @@ def _draw_moves(key: str, stop: Stop | None, now: ClassQuestion, last: ClassQues
 
 
 def _forward_move(stop: Stop | None, now: ClassQuestion, last: ClassQuestion | None) -> tuple[Any, ...]:
-    """Return label, key, callback and arguments of the forward button."""
+    """Return label, key, callback and arguments of the forward button. The parameters are those of `_draw_moves`."""
     if stop is None:
         return _("Show what the class has learned"), "finish", _show_end
     if now.stop != stop.id:
         return _("Return to this question") if last else _("Ask the class"), "ask", _show_stop, stop
     if now.phase == Phase.SOLVED:
-        if following := progress.following(stop):
+        following = progress.following(stop)
+        if following:
             return _("Ask the next question"), "next", _show_stop, following
         return _("Show what the class has learned"), "finish", _show_end
     labels = {
@@ -271,11 +307,12 @@ def _forward_move(stop: Stop | None, now: ClassQuestion, last: ClassQuestion | N
 
 def _go_back(key: str, place: str) -> None:
     """Take the class back by one view. If the class is at another stop, move only this desk."""
-    code = parts_of(key)[0]
+    code, _secret = parts_of(key)
     now, previous = shared().question(code), progress.previous(place)
-    if now.stop == place and now.phase > Phase.ASKED:
+    is_here = now.stop == place
+    if is_here and now.phase > Phase.ASKED:
         shared().show(key, Phase(now.phase - 1))
-    elif previous and now.stop == place and shared().last_state(code, previous.id):
+    elif previous and is_here and shared().last_state(code, previous.id):
         _show_stop(key, previous)
     elif previous:
         st.session_state[progress.STOP.name] = previous.id
@@ -313,14 +350,23 @@ def _draw_foot(key: str, code: str) -> None:
 
 
 def _offer_votes(key: str, name: str) -> None:
-    """Offer the votes of the class as a CSV file and as a JSON file."""
-    asked, file = shared().results_for_lecturer(key), f"class-{parts_of(key)[0]}"
-    files = (
-        (_("Download for a spreadsheet"), as_spreadsheet(asked), f"{file}-spreadsheet.csv", f"{name}_spreadsheet"),
-        (_("Download as CSV"), as_csv(asked), f"{file}.csv", name),
+    """Offer the votes of the class as a CSV file for spreadsheets and as one for programs.
+
+    Parameters
+    ----------
+    key : the lecturer's key
+    name : key of the second widget, and prefix of the first
+    """
+    results = shared().results_for_lecturer(key)
+    code, _secret = parts_of(key)
+    widgets.download(
+        _("Download for a spreadsheet"),
+        as_spreadsheet(results),
+        f"class-{code}-spreadsheet.csv",
+        "text/csv",
+        key=f"{name}_spreadsheet",
     )
-    for label, content, file_name, widget in files:
-        widgets.download(label, content, file_name, "text/csv", key=widget)
+    widgets.download(_("Download as CSV"), as_csv(results), f"class-{code}.csv", "text/csv", key=name)
 
 
 def _manage_seats(key: str) -> None:
@@ -366,10 +412,12 @@ def _draw_ending(key: str) -> None:
 
 @st.fragment(run_every=PHONE_EVERY)
 def _draw_waiting() -> None:
-    """Retry joining. Students of one network arrive together, and each gets a seat in turn."""
-    if code := class_session.awaited_class():
+    """Retry joining, and draw why the student has to wait. The students of one network get their seats in turn."""
+    code = class_session.awaited_class()
+    if code:
         run_or_refuse(class_session.take_seat, code)
     code = class_session.awaited_class()
+    # The student has got a seat.
     if code is None:
         st.rerun()
     with st.container(key="class_phone"):
@@ -387,7 +435,8 @@ def _draw_leave_button() -> None:
 @st.fragment(run_every=PHONE_EVERY)
 def _draw_seat() -> None:
     """Draw the current question of the student, and poll the class every few seconds for a new one."""
-    if (seat := student_seat()) is None:
+    seat = student_seat()
+    if seat is None:
         st.rerun()
     try:
         question = class_session.question(seat.code)
@@ -421,10 +470,13 @@ def _offer_own_tab(code: str) -> None:
 
 def _visible_machine(question: ClassQuestion | None) -> tuple[str, bool] | None:
     """Return the stop whose machine the class sees, and whether it runs; None if the class sees no machine."""
-    return (question.stop, question.phase >= Phase.RUNNING) if question and question.stop not in (None, END) else None
+    if question is None or question.stop in (None, END):
+        return None
+    return question.stop, question.phase >= Phase.RUNNING
 
 
 def _draw_question(seat: Seat, question: ClassQuestion, chosen: str | None) -> None:
+    """Draw the current question of the class, or how to go on before the first question and after the last."""
     if question.stop is None:
         st.title(_("Class {code}").format(code=spaced(seat.code)), anchor=False)
         st.info(_("You have joined the class. The first question will appear here."))
@@ -453,8 +505,9 @@ def _draw_closed_vote(seat: Seat, stop: Stop, question: ClassQuestion, chosen: s
     if question.phase > Phase.ASKED:
         class_results.show(seat.code, stop, question.vote, is_solved, chosen)
     else:
-        own = _("{label} – *This was your answer.*")
-        labels = {**stop.options, **({chosen: own.format(label=stop.options[chosen])} if chosen else {})}
+        labels = dict(stop.options)
+        if chosen:
+            labels[chosen] = _("{label} – *This was your answer.*").format(label=stop.options[chosen])
         st.markdown("\n".join(f"- {label}" for label in labels.values()))
     st.markdown(_own_vote_sentence(seat, stop, question, chosen))
 
@@ -464,7 +517,8 @@ def _own_vote_sentence(seat: Seat, stop: Stop, question: ClassQuestion, chosen: 
     if chosen:
         return _("Your answer was counted. The result has been shown, so it can no longer be changed.")
     if question.vote.is_second:
-        first = shared().answer_of(seat, replace(question, vote=question.vote._replace(number=1)))
+        first_question = replace(question, vote=question.vote._replace(number=1))
+        first = shared().answer_of(seat, first_question)
         if first:
             return _(
                 "**Your answer in the first vote:** {label}\\\nYou have no answer in the second vote. "
@@ -478,17 +532,20 @@ def _draw_open_vote(stop: Stop, question: ClassQuestion, chosen: str | None) -> 
     if question.vote.is_second:
         st.markdown(_("**Second vote.** Talk to your neighbours, then answer again."))
     key = f"class_answer_{stop.id}_{question.vote.asking}_{question.vote.number}"
-    # The database decides, also after a reload and after a late answer.
+    # The database contains the valid answer, also after a reload and after an answer that came too late.
     if st.session_state.get(key) != chosen:
         st.session_state[key] = chosen
     confirmation = _("Your answer counts. You can change it until the result is shown.")
-    captions = [f":green[:material/check_circle: {confirmation}]" if o == chosen else "" for o in stop.options]
+    captions = None
+    if chosen:
+        caption = f":green[:material/check_circle: {confirmation}]"
+        captions = [caption if option == chosen else "" for option in stop.options]
     st.radio(
         _("Your answer"),
         list(stop.options),
         index=None,
         format_func=stop.options.__getitem__,
-        captions=captions if chosen else None,
+        captions=captions,
         key=key,
         on_change=_vote,
         args=(key, stop.id, question.vote),
@@ -497,5 +554,7 @@ def _draw_open_vote(stop: Stop, question: ClassQuestion, chosen: str | None) -> 
 
 
 def _vote(key: str, stop: str, vote: Vote) -> None:
-    if seat := student_seat():
+    """Vote for the option that the widget with this key has selected, in a callback."""
+    seat = student_seat()
+    if seat:
         run_or_refuse(shared().vote, seat, stop, st.session_state[key], vote)

@@ -15,7 +15,7 @@ from ramanujan.shell.sections import exercise, tasks
 from ramanujan.translation import _, ngettext
 
 URL_PARAMETERS = (*progress.URL_PARAMETERS, *tasks.URL_PARAMETERS, *exercise.URL_PARAMETERS)
-# The numbers of stops whose notes, or whose results, fill a slide of the projector view.
+# Number of stops on a slide of the projector view: with their notes, and with their results.
 _NOTES, _LINES = 3, 9
 ENDING = _("What you have seen")
 _ONWARDS = {
@@ -63,28 +63,30 @@ def withheld_presets() -> tuple[str, ...]:
     if address.current(exercise.EXERCISE):
         return tuple(sidebar.PRESETS)
     name = address.current(progress.STOP)
-    walks = address.current(progress.PART) == "stops" and name != progress.END
-    if class_session.student_seat() or not walks or not stops.is_answered(lesson.stop(name)):
-        return tuple(sidebar.PRESETS)
-    return ()
+    is_at_stop = address.current(progress.PART) == "stops" and name != progress.END
+    if is_at_stop and not class_session.student_seat() and stops.is_answered(lesson.stop(name)):
+        return ()
+    return tuple(sidebar.PRESETS)
 
 
 def draw_stops(head: st.delta_generator.DeltaGenerator) -> None:
     """Draw the current stop or the end, and at the top the buttons that select another one."""
     path = progress.path()
-    places = [*(stop.id for stop in path), progress.END]
-    number = places.index(address.current(progress.STOP)) + 1
+    ids = [*(stop.id for stop in path), progress.END]
+    number = ids.index(address.current(progress.STOP)) + 1
 
-    def turned(to: int) -> None:
-        if not (number < to and number <= len(path) and stops.needs_confirmation(path[number - 1])):
-            select_stop(places[to - 1])
+    def go_to(new_number: int) -> None:
+        is_forward = new_number > number
+        if is_forward and number <= len(path) and stops.needs_confirmation(path[number - 1]):
+            return
+        select_stop(ids[new_number - 1])
 
     with head:
-        # At the desk of a class, a clicker presses the button of the next move instead.
+        # At the desk of a class, the keys of a clicker press the buttons of the desk (`classroom`).
         components.turn(
             [*(stop.heading for stop in path), ENDING],
             number,
-            turned,
+            go_to,
             clicker=not class_session.lecturer_key(),
             refusal=stops.confirmed_stop(),
         )
@@ -96,13 +98,14 @@ def draw_stops(head: st.delta_generator.DeltaGenerator) -> None:
         draw_end(path)
 
 
-def select_stop(place: str) -> None:
+def select_stop(name: str) -> None:
     """Select a stop or the end, in a callback."""
     stops.clear_confirmation()
-    st.session_state[progress.STOP.name] = place
-    if place != progress.END:
-        stop = lesson.stop(place)
-        stops.load_machine(stop, stops.is_running(progress.prediction(stop)[1]))
+    st.session_state[progress.STOP.name] = name
+    if name != progress.END:
+        stop = lesson.stop(name)
+        _option, phase = progress.prediction(stop)
+        stops.load_machine(stop, stops.is_running(phase))
 
 
 def draw_end(path: tuple[lesson.Stop, ...]) -> None:
@@ -113,14 +116,14 @@ def draw_end(path: tuple[lesson.Stop, ...]) -> None:
         if chosen is None or phase != progress.ANSWERED:
             lines.append(_("- **{heading}** – Not answered yet.").format(heading=stop.heading))
             continue
-        answered, right = answered + 1, right + (chosen == stop.right)
-        line = (
-            _("- **{heading}** – :green[:material/check_circle:] {right}")
-            if chosen == stop.right
-            else _("- **{heading}** – You predicted: {chosen} :green[**Right:**] {right}")
-        )
-        named = {"chosen": stop.options[chosen], "right": stop.options[stop.right]}
-        lines.append(line.format(heading=stop.heading, **named))
+        answered += 1
+        if chosen == stop.right:
+            right += 1
+            line = _("- **{heading}** – :green[:material/check_circle:] {right}")
+        else:
+            line = _("- **{heading}** – You predicted: {chosen} :green[**Right:**] {right}")
+        labels = {"chosen": stop.options[chosen], "right": stop.options[stop.right]}
+        lines.append(line.format(heading=stop.heading, **labels))
     sentence = _("You answered {answered} of {stops} questions. Your prediction was right at {right} of them.")
     first = _LINES if is_projector() else len(lines)
     with slide("seen", ENDING):
@@ -132,8 +135,9 @@ def draw_end(path: tuple[lesson.Stop, ...]) -> None:
             st.markdown("\n".join(lines[first:]))
     with slide("onwards", _("Where to go on")):
         st.markdown(_("Where to go on:"))
-        label, turned = _("Set the machine yourself: twelve tasks"), {progress.PART.name: "tasks"}
-        st.button(label, key="to_tasks", on_click=st.session_state.update, args=(turned,))
+        label = _("Set the machine yourself: twelve tasks")
+        new_part = {progress.PART.name: "tasks"}
+        st.button(label, key="to_tasks", on_click=st.session_state.update, args=(new_part,))
         for name, label in _ONWARDS.items():
             st.page_link(PAGES[name].file, label=label, icon=":material/arrow_forward:")
 
@@ -153,25 +157,26 @@ def draw_notes(_head: st.delta_generator.DeltaGenerator) -> None:
         _draw_introduction()
         if not (class_session.lecturer_key() or st.toggle(label, key="notes_shown")):
             return
-    halves = columns("notes")
+    left, right = columns("notes")
     for start in range(0, len(lesson.STOPS), _NOTES):
-        numbered = list(enumerate(lesson.STOPS, start=1))[start : start + _NOTES]
-        with halves[2 * start >= len(lesson.STOPS)], slide(f"notes_{start}", numbered[0][1].heading):
-            for number, stop in numbered:
+        group = lesson.STOPS[start : start + _NOTES]
+        column = left if start < len(lesson.STOPS) / 2 else right
+        with column, slide(f"notes_{start}", group[0].heading):
+            for number, stop in enumerate(group, start=start + 1):
                 _draw_note(number, stop)
     with slide("sources", _("Sources")):
         st.markdown("\n".join(f"{number}. {source}" for number, source in enumerate(lesson.SOURCES, start=1)))
 
 
 def _draw_introduction() -> None:
+    """Draw the introduction of the notes, and the choice of the lesson's length."""
     st.title(_("Lecturer’s notes"), anchor=False)
     lengths = {"short": [stop for stop in lesson.STOPS if stop.short], "all": lesson.STOPS}
-    sentence = _("{stops} stops in {minutes} minutes")
-    words = {
-        name: sentence.format(stops=len(chosen), minutes=sum(stop.minutes for stop in chosen))
-        for name, chosen in lengths.items()
-    }
-    widgets.pills(progress.LENGTH, _("How long is the lesson?"), words)
+    template = _("{stops} stops in {minutes} minutes")
+    labels = {}
+    for length, included in lengths.items():
+        labels[length] = template.format(stops=len(included), minutes=sum(stop.minutes for stop in included))
+    widgets.pills(progress.LENGTH, _("How long is the lesson?"), labels)
     st.caption(_("Without a choice, a class goes through the short lesson, and a reader through all of it."))
     st.markdown(lesson.INTRODUCTION)
 

@@ -12,8 +12,13 @@ from ramanujan.shell import address, class_session
 from ramanujan.translation import _
 
 ASKED, PREDICTED, MISSED, ANSWERED = "asked", "predicted", "missed", "answered"
-"""State of a stop: no option selected; an option selected, machine at rest; wrong option, machine running, right answer
-hidden; right answer shown."""
+"""The phases of a stop for a reader:
+
+    ASKED       no option is selected
+    PREDICTED   an option is selected, and the machine is at rest
+    MISSED      the option is wrong, the machine runs, and the right answer is hidden
+    ANSWERED    the right answer is shown
+"""
 
 PART = address.Choice("part", {"stops": _("Stops"), "tasks": _("Tasks"), "notes": _("Lecturer’s notes")}, "stops")
 STOP = address.Choice("stop", (*(stop.id for stop in lesson.STOPS), END), lesson.STOPS[0].id)
@@ -23,9 +28,10 @@ LENGTH = address.Choice("stops", ("short", "all"))
 
 @dataclass(frozen=True)
 class Predictions(address.URLParameter):
-    """Predictions in the address: stop → option and progress of the reader.
+    """The predictions of a reader: stop → option and phase.
 
-    In the address: block.opposite~radius.same.predicted; without a third word, the right answer was shown.
+    An example of the text in the address is block.opposite~radius.same.predicted. Without a third word the phase is
+    ANSWERED.
     """
 
     name: str
@@ -46,7 +52,10 @@ class Predictions(address.URLParameter):
 
     def write(self, predictions: Mapping[str, tuple[str, str]]) -> str:
         """Return the text of the predictions in the address."""
-        return "~".join(".".join((stop, *words)).removesuffix(f".{ANSWERED}") for stop, words in predictions.items())
+        entries = []
+        for stop, (option, phase) in predictions.items():
+            entries.append(f"{stop}.{option}" if phase == ANSWERED else f"{stop}.{option}.{phase}")
+        return "~".join(entries)
 
 
 CHOSEN = Predictions("chosen")
@@ -54,32 +63,36 @@ URL_PARAMETERS = (PART, STOP, TASK, LENGTH, CHOSEN)
 
 
 def prediction(stop: Stop) -> tuple[str | None, str]:
-    """Return the selected option of a stop, if any, and its progress."""
+    """Return the selected option of a stop or None, and its phase."""
     return address.current(CHOSEN).get(stop.id, (None, ASKED))
 
 
 def predict(stop: Stop, option: str | None, phase: str = PREDICTED) -> None:
-    """Write, delete or advance the prediction for a stop."""
-    predictions = {name: chosen for name, chosen in address.current(CHOSEN).items() if name != stop.id}
-    st.session_state[CHOSEN.name] = predictions | ({stop.id: (option, phase)} if option else {})
+    """Store an option and a phase as the prediction for a stop. Without an option, delete the prediction."""
+    predictions = dict(address.current(CHOSEN))
+    # Remove it first, so that the newest prediction is the last one in the address.
+    predictions.pop(stop.id, None)
+    if option:
+        predictions[stop.id] = option, phase
+    st.session_state[CHOSEN.name] = predictions
 
 
 def path() -> tuple[Stop, ...]:
     """Return the stops of this lesson: all, or those of a short lecture and the current one."""
-    asked = address.current(LENGTH) or ("short" if class_session.lecturer_key() else "all")
-    now = address.current(STOP)
-    return tuple(stop for stop in lesson.STOPS if asked == "all" or stop.short or stop.id == now)
+    length = address.current(LENGTH) or ("short" if class_session.lecturer_key() else "all")
+    current = address.current(STOP)
+    return tuple(stop for stop in lesson.STOPS if length == "all" or stop.short or stop.id == current)
 
 
 def following(stop: Stop) -> Stop | None:
     """Return the next stop; None after the last."""
     stops = path()
-    at = stops.index(stop) + 1
-    return stops[at] if at < len(stops) else None
+    index = stops.index(stop) + 1
+    return stops[index] if index < len(stops) else None
 
 
-def previous(place: str) -> Stop | None:
-    """Return the previous stop, also before the end; None before the first."""
+def previous(name: str) -> Stop | None:
+    """Return the stop before a stop or before the end; None before the first."""
     stops = path()
-    at = len(stops) if place == END else [stop.id for stop in stops].index(place)
-    return stops[at - 1] if at else None
+    index = len(stops) if name == END else [stop.id for stop in stops].index(name)
+    return stops[index - 1] if index else None

@@ -25,30 +25,36 @@ from ramanujan.shell.parameters import PARAMETERS
 from ramanujan.translation import _
 
 _PLACES = ("hoop", "cylinder", "top")
+"""Names of the three rollers in the data of a stage: left, right and top, whatever their shape."""
 _SEVERAL = {2: "two", 3: "three"}
 """Number of machines → their arrangement in the style sheets."""
 _LOADED = "lesson_loaded"
-"""Session state: the stop whose machine was last loaded into the sliders, and whether it was predicted then."""
+"""Session state: the stop whose machine was last loaded into the sliders, and whether its machine was running."""
 _CONFIRMED = "lesson_asked"
 """Session state: the stop at which the confirmation for an unchecked prediction was shown."""
 _SLIDERS = "lesson_sliders"
 """Session state: how often the reader has opened the sliders."""
 
 
-def load_machine(stop: Stop, runs: bool) -> None:
+def load_machine(stop: Stop, running: bool) -> None:
     """Set the sliders to the machine of a stop in the next run."""
-    st.session_state[_LOADED] = (stop.id, runs)
-    sidebar.take_machine(stop.shown if runs else stop.machine, stop.compression)
+    st.session_state[_LOADED] = (stop.id, running)
+    sidebar.take_machine(machine_of(stop, running), stop.compression)
 
 
-def load_new_machine(stop: Stop, runs: bool) -> None:
+def load_new_machine(stop: Stop, running: bool) -> None:
     """Set the sliders to the machine of a newly opened stop, unless the link contains another machine."""
-    if st.session_state.get(_LOADED) == (stop.id, runs):
+    if st.session_state.get(_LOADED) == (stop.id, running):
         return
-    st.session_state[_LOADED] = (stop.id, runs)
-    if not (sidebar.linked() or sidebar.holds(stop.shown if runs else stop.machine, stop.compression)):
-        load_machine(stop, runs)
+    st.session_state[_LOADED] = (stop.id, running)
+    if not (sidebar.linked() or sidebar.holds(machine_of(stop, running), stop.compression)):
+        load_machine(stop, running)
         messages.run_again()
+
+
+def machine_of(stop: Stop, running: bool) -> Oscillator:
+    """Return the machine of a stop's question, or the one that runs after the prediction."""
+    return stop.shown if running else stop.machine
 
 
 def is_running(phase: str) -> bool:
@@ -64,9 +70,10 @@ def set_prediction(stop: Stop, option: str | None, phase: str) -> None:
 
 
 def needs_confirmation(stop: Stop) -> bool:
-    """Request confirmation once before the reader leaves an unchecked prediction; return whether this call does."""
-    unchecked = progress.prediction(stop)[1] == progress.PREDICTED and class_session.phase_of(stop) is None
-    if not unchecked or confirmed_stop() == stop.id:
+    """Return whether the reader has to confirm that a prediction stays unchecked. Return True only once for a stop."""
+    _option, phase = progress.prediction(stop)
+    is_unchecked = phase == progress.PREDICTED and class_session.phase_of(stop) is None
+    if not is_unchecked or confirmed_stop() == stop.id:
         return False
     st.session_state[_CONFIRMED] = stop.id
     return True
@@ -94,15 +101,18 @@ def _open_sliders() -> None:
 def is_answered(stop: Stop) -> bool:
     """Return whether the page may show the right answer: on the reader's request, or after the class has seen it."""
     class_phase = class_session.phase_of(stop)
-    return progress.prediction(stop)[1] == progress.ANSWERED if class_phase is None else class_phase == Phase.SOLVED
+    if class_phase is not None:
+        return class_phase == Phase.SOLVED
+    _option, phase = progress.prediction(stop)
+    return phase == progress.ANSWERED
 
 
 def draw(stop: Stop, number: int) -> None:
     """Draw the stop with this number."""
     class_phase = class_session.phase_of(stop)
-    phase = progress.prediction(stop)[1]
+    _option, phase = progress.prediction(stop)
     if class_phase is not None:
-        # A lecturer’s page predicts with the class, and shows nothing before the class has seen it.
+        # The lecturer's page follows the phase of the class and ignores the lecturer's own prediction.
         phase = {Phase.RUNNING: progress.MISSED, Phase.SOLVED: progress.ANSWERED}.get(class_phase, progress.ASKED)
     running = is_running(phase)
     # In the projector view the running machine and the reason have their own slide.
@@ -136,7 +146,7 @@ def draw(stop: Stop, number: int) -> None:
 
 def _draw_answers(stop: Stop, class_phase: Phase | None, phase: str, *, with_options: bool) -> None:
     """Draw the lecturer's desk, the options, or the reader's prediction with its verdict."""
-    chosen = progress.prediction(stop)[0]
+    chosen, _phase = progress.prediction(stop)
     if class_phase is not None:
         classroom.draw_desk(stop, class_phase)
     elif chosen is None:
@@ -158,7 +168,14 @@ def _draw_caption(stop: Stop, running: bool) -> None:
 
 
 def draw_observation(stop: Stop, running: bool, fixed: bool = False) -> None:
-    """Draw the exhibit of a stop, if any, and its machines; `fixed` machines cannot be dragged."""
+    """Draw the exhibit of a stop, if any, and its machines.
+
+    Parameters
+    ----------
+    stop : the stop
+    running : whether the machine runs, as `is_running` returns
+    fixed : whether the slab cannot be dragged
+    """
     if stop.exhibit:
         st.markdown(stop.outcome if running and stop.outcome else stop.exhibit)
     with st.container(key=f"observed_{_arrangement(stop, running)}"):
@@ -201,29 +218,26 @@ def draw_options(stop: Stop) -> None:
 
 
 def draw_verdict(stop: Stop, chosen: str, phase: str) -> None:
-    """Name the prediction; after the run, judge it; show the right answer only on request."""
-    right = chosen == stop.right
-    own = _("**Your prediction:** {option}").format(option=stop.options[chosen])
+    """Draw the prediction, after the run a verdict on it, and on request the right answer."""
+    is_right = chosen == stop.right
+    prediction = _("**Your prediction:** {option}").format(option=stop.options[chosen])
     # On a phone this part is above the machine.
     with st.container(key="judged"):
         if phase == progress.PREDICTED:
-            sentence = own
             if confirmed_stop() == stop.id:
-                sentence = _("You have not checked your prediction yet. Press “Next” again to go on without.")
-                st.info(sentence)
-            st.markdown(own)
-            _draw_moves(stop, chosen, stop.observation, progress.ANSWERED if right else progress.MISSED)
+                st.info(_("You have not checked your prediction yet. Press “Next” again to go on without."))
+            st.markdown(prediction)
+            _draw_moves(stop, chosen, stop.observation, progress.ANSWERED if is_right else progress.MISSED)
             return
-        if right:
+        if is_right:
             sentence = _("Your prediction was right.")
             st.markdown(f":green[:material/check_circle: **{sentence}**] {stop.options[stop.right]}")
         else:
-            reply = stop.reply(chosen)
-            sentence = _("Your prediction was different. {reply}").format(reply=reply)
-            st.markdown(f"{own}\\\n{sentence}")
+            sentence = _("Your prediction was different. {reply}").format(reply=stop.reply(chosen))
+            st.markdown(f"{prediction}\\\n{sentence}")
         if phase == progress.MISSED:
             _draw_moves(stop, chosen, _("Show the answer"), progress.ANSWERED)
-        elif not right:
+        elif not is_right:
             sentence = stop.options[stop.right]
             st.markdown(_(":green[:material/check_circle: **Right answer:**] {option}").format(option=sentence))
     # The clicked button has disappeared with the focus, so announce the result to a screen reader.
@@ -231,7 +245,7 @@ def draw_verdict(stop: Stop, chosen: str, phase: str) -> None:
 
 
 def _draw_moves(stop: Stop, chosen: str, label: str, phase: str) -> None:
-    """Draw the button that continues, and the one that reopens the options while the answer is hidden."""
+    """Draw a button that continues with the next phase, and a button that reopens the options."""
     with st.container(horizontal=True, gap="small"):
         st.button(label, key=f"on_{stop.id}", type="primary", on_click=partial(set_prediction, stop, chosen, phase))
         st.button(
@@ -259,42 +273,50 @@ def _draw_hands_button(stop: Stop) -> None:
 
 def draw_machines(stop: Stop, running: bool, fixed: bool) -> None:
     """Draw the machine of the sliders, or after the prediction all machines of the stop with a common clock."""
-    several = len(stop.runs) > 1
-    hidden = [layer for layer in stage.LAYERS if layer not in stop.layers] if running else {*stop.hides, *stage.LAYERS}
-    # A labelled machine belongs to the stop; one without a label follows the sliders.
-    labelled = bool(stop.runs[0].label)
-    own: dict[str, Any] = {"watch": {}} if labelled else {}
-    if fixed or labelled:
-        own["limits"] = stages.LIMITS[1:] * 2
+    has_several = len(stop.runs) > 1
+    hidden = {*stop.hides, *stage.LAYERS}
+    if running:
+        hidden = set(stage.LAYERS).difference(stop.layers)
+    # A machine with a label belongs to the stop. One without a label follows the sliders.
+    is_labelled = bool(stop.runs[0].label)
+    options: dict[str, Any] = {}
+    if is_labelled:
+        options["watch"] = {}
+    if fixed or is_labelled:
+        # Equal limits of x₀ fix the slab.
+        _least, most = stages.LIMITS
+        options["limits"] = most, most
     if class_session.lecturer_key():
-        own["on_view"] = partial(class_session.send_view, stop)
+        options["on_view"] = partial(class_session.send_view, stop)
     for number, run in enumerate(stop.runs if running else stop.runs[:1]):
-        machine = run.machine if labelled else sidebar.oscillator()
-        compression = run.compression if labelled else sidebar.compression()
+        machine = run.machine if is_labelled else sidebar.oscillator()
+        compression = run.compression if is_labelled else sidebar.compression()
         stages.mount(
             payload(run, machine, compression, running),
             key=f"stage_{stop.id}_{number}",
             clock=f"stop_{stop.id}",
             layers=stop.layers,
-            compact=several,
+            compact=has_several,
             dials=stop.dials,
             narrow=True,
-            label=run.label if running or not several else None,
+            label=run.label if running or not has_several else None,
             hide=hidden,
-            **own,
+            **options,
         )
 
 
 def payload(run: Run, machine: Oscillator, compression: float, running: bool) -> dict[str, object]:
     """Return the data of a run for the stage; before the prediction, only the machine at release."""
-    slips = run.slipping and running
+    slipping = None
+    if run.slipping and running:
+        slipping = first_to_slip(machine, compression, drawn_spacing(machine.radius))
     return stage.payload(
         machine,
         compression,
         initial=run.initial,
         shape_factors={place: float(BODIES[body]) for place, body in zip(_PLACES, run.bodies, strict=True)},
         samples=run.samples() if run.samples and running else None,
-        slipping=first_to_slip(machine, compression, drawn_spacing(machine.radius)) if slips else None,
+        slipping=slipping,
     )
 
 
@@ -302,7 +324,7 @@ def _caption(stop: Stop, running: bool) -> str:
     """Return the caption about the sliders and the picture."""
     if stop.runs[0].label:
         return _("The sliders do not change what is shown here.")
-    machine = stop.shown if running else stop.machine
+    machine = machine_of(stop, running)
     if not sidebar.holds(machine, stop.compression):
         # TRANSLATORS: {machine} is a list such as: m = 1 kg, m′ = 2 kg, k = 10 N/m.
         return _("You have changed the machine. The question is about {machine}.").format(

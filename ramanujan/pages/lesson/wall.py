@@ -23,8 +23,10 @@ WALL_STYLE = (
 A style sheet for all pages would need :has(), which adds 2 s to the loading time of Motion.
 """
 
-_LOOKS, _AGAIN = "wall_looks", 6
-"""Session state: how often the wall has polled the present view of the class, and after how many polls it is redrawn.
+_POLLS = "wall_polls"
+"""Session state: the state of the class, and how often the wall has read it without a change."""
+_REDRAW_AFTER = 6
+"""Number of polls after which the wall is redrawn once.
 
 A busy server can lose elements of a run if the page requests the next run meanwhile (Streamlit issue 9921).
 """
@@ -32,7 +34,8 @@ A busy server can lose elements of a run if the page requests the next run meanw
 
 def draw_wall() -> None:
     """Draw the wall and end the run, if this session is one; for others do nothing."""
-    if code := class_session.wall_code():
+    code = class_session.wall_code()
+    if code:
         _draw(code)
         st.stop()
 
@@ -44,7 +47,7 @@ def _draw(code: str) -> None:
         try:
             question = class_session.question(code)
         except ClassError:
-            st.session_state.pop(_LOOKS, None)
+            st.session_state.pop(_POLLS, None)
             _follow_class(code)
             st.button(_("Leave this class"), key="class_leave", on_click=class_session.leave)
             return
@@ -84,18 +87,21 @@ def _draw_question(code: str, stop: Stop, question: ClassQuestion) -> None:
 
 @st.fragment(run_every=class_session.VIEW_INTERVAL)
 def _follow_class(code: str) -> None:
-    """Draw the numbers that change often. Rerun the page when the class moves on or ends, and once more later."""
+    """Draw the numbers that change often. Rerun the page when the class moves on or ends, and once more after a while.
+
+    The fragment also shows the view and the sliders of the desk.
+    """
     try:
         now = class_session.question(code)
     except ClassError as error:
-        if st.session_state.pop(_LOOKS, None):
+        if st.session_state.pop(_POLLS, None):
             st.rerun()
         st.warning(str(error))
         return
-    view = (now.stop, now.vote, now.phase)
-    looks = st.session_state.get(_LOOKS, {}).get(view, -1) + 1
-    st.session_state[_LOOKS] = {view: looks}
-    if looks in (0, _AGAIN) or class_session.settings_differ(shared().machine(code)):
+    state = (now.stop, now.vote, now.phase)
+    polls = st.session_state.get(_POLLS, {}).get(state, -1) + 1
+    st.session_state[_POLLS] = {state: polls}
+    if polls in (0, _REDRAW_AFTER) or class_session.settings_differ(shared().machine(code)):
         st.rerun()
     class_session.follow(code)
     with st.container(key="class_wall_foot", horizontal=True, vertical_alignment="center", gap="large"):
@@ -106,34 +112,34 @@ def _follow_class(code: str) -> None:
         elif now.stop != END:
             if now.reached == Phase.ASKED:
                 st.markdown(f"**{class_results.answers_sentence(now)}**", width="content")
-            here = address.link_for_others({})
-            st.text(f"{here.netloc}{here.path}  ·  {spaced(code)}", width="content")
+            url = address.link_for_others({})
+            st.text(f"{url.netloc}{url.path}  ·  {spaced(code)}", width="content")
 
 
 def _draw_results(code: str) -> None:
     """Draw the results of the class and the address of the whole lesson, without the code of the class."""
-    here = address.link_for_others({})
+    url = address.link_for_others({})
     table, words = display_mode.picture_and_words()
     with table:
         st.title(class_results.RESULTS_HEADING, anchor=False)
         class_results.draw_whole_lesson(code)
     with words:
         st.markdown(_("The whole lesson, to go on alone:"))
-        class_results.draw_qr_code(here.geturl())
-        st.text(f"{here.netloc}{here.path}")
+        class_results.draw_qr_code(url.geturl())
+        st.text(f"{url.netloc}{url.path}")
 
 
 def _draw_invitation(code: str) -> None:
     """Draw code and address in letters for the last row."""
-    here = address.link_for_others({"class": code})
+    url = address.link_for_others({"class": code})
     picture, words = display_mode.picture_and_words(2)
     with picture:
-        class_results.draw_qr_code(here.geturl())
+        class_results.draw_qr_code(url.geturl())
     with words, st.container(key="class_invitation"):
         st.title(_("Join the class"), anchor=False)
         st.markdown(_("On your phone, open"))
         # Use plain text, because the address comes from the browser.
-        st.container(key="class_address").text(f"{here.netloc}{here.path}")
+        st.container(key="class_address").text(f"{url.netloc}{url.path}")
         st.markdown(_("then choose **Class** and type"))
         st.container(key="class_letters").text(spaced(code))
         class_results.warn_of_local_address()
