@@ -65,10 +65,10 @@ from ramanujan.translation import _
 
 VERSION = 1
 PARTS = {
-    "clocks": "the two clock hands, and every sign of how near the two frequencies are",
-    "numbers": "Ω²m/k with its gauge, Ω, the period, shares of the energy, scales of arrows, and their consequences",
+    "clocks": "the two clock hands, and every text that depends on how near the two frequencies are",
+    "numbers": "Ω²m/k with its gauge, Ω, the period, shares of the energy, scales of arrows, and texts that contain them",
     "plain": "the plain mass",
-    "motion": "the motion itself and what shows it: the machine stands still as it was released",
+    "motion": "the motion and everything that shows it; the machine stays at rest in the position of its release",
     **{name: f"{what}, with its tick box" for name, (_title, what) in LAYERS.items()},
 }
 """Part of a stage that can be hidden → its description. A hidden part is neither on the page nor in its sentences."""
@@ -137,13 +137,13 @@ def mount(
     hide : the hidden parts, members of `PARTS`; they may differ in the next run
     **options : as in `settings`
     """
-    fixed = settings(key, **options)
+    constants = settings(key, **options)
     if on_view:
-        components.mount("stage/stage", key, {**fixed, "sends_view": True}, "view", on_view, VIEW)
+        components.mount("stage/stage", key, {**constants, "sends_view": True}, "view", on_view, VIEW)
     else:
-        modules.component("stage/stage")(key=key, data=fixed)
+        modules.component("stage/stage")(key=key, data=constants)
     if data is not None:
-        publish(data, key=key, name=fixed["stage"], hide=hide)
+        publish(data, key=key, name=constants["stage"], hide=hide)
 
 
 def settings(
@@ -210,9 +210,10 @@ def publish(
     key, name, hide : as in `mount`
     more : further topics of the bus and their values
     """
-    if unknown := set(hidden := sorted(hide)).difference(PARTS):
+    hidden = sorted(hide)
+    unknown = sorted(set(hidden).difference(PARTS))
+    if unknown:
         sentence = _("hide must be among {known}, and {unknown} is not")
-        raise ValueError(sentence.format(known=", ".join(PARTS), unknown=", ".join(sorted(unknown))))
-    components.publish(
-        f"{key}_published", {f"machine/{name or key}": {**data, "hide": hidden} if hidden else data, **(more or {})}
-    )
+        raise ValueError(sentence.format(known=", ".join(PARTS), unknown=", ".join(unknown)))
+    message = {**data, "hide": hidden} if hidden else data
+    components.publish(f"{key}_published", {f"machine/{name or key}": message, **(more or {})})

@@ -3,7 +3,7 @@
 
 import { clamp } from "./motion.js";
 
-export const EYE = 0.7; // s, the shortest period that an eye can follow; faster motion is slowed to it
+export const VISIBLE_PERIOD = 0.7; // s, the shortest period that an eye can follow; faster motion is slowed to it
 
 const clocks = new Map(); // name → { playing, speed, slowing, seenFrom, stages }
 let frame = 0;
@@ -37,8 +37,13 @@ function tick(now) {
   lastTick = now;
   needsFrame = false;
   for (const clock of clocks.values()) {
-    clock.slowing = Math.min(1, ...[...clock.stages].map((stage) => stage.period() / EYE));
-    for (const stage of clock.stages) needsFrame = stage.advance(elapsed) || needsFrame;
+    // The fastest machine determines the speed of all stages on its clock.
+    const factors = [...clock.stages].map((stage) => stage.period() / VISIBLE_PERIOD);
+    clock.slowing = Math.min(1, ...factors);
+    for (const stage of clock.stages) {
+      const stageNeedsFrame = stage.advance(elapsed);
+      needsFrame ||= stageNeedsFrame;
+    }
   }
   if (needsFrame) return;
   cancelAnimationFrame(frame);

@@ -1,28 +1,29 @@
 // The layer Coordinates: X, φ and Φ with their positive sense, x₀, R, and a bracket for the lower rollers' common mass.
 // Lengths are centimetres of the picture; y points up.
 
-import { CM, ROLLERS, arc, headOf, moved, velocityArrow } from "./drawing.js";
+import { CM, ROLLERS, arc, displacements, headOf, velocityArrow } from "./drawing.js";
 import { FORMULAS } from "./formulas.js";
 import { TURN } from "./motion.js";
 import { element, put } from "./svg.js";
 import { WORDS } from "./texts.js";
 
 const ARC = 0.5; // radius of the arc that shows an angle, in radii of the roller
-const SENSE = { from: 44, to: 74, label: 68, at: 1.12 }; // the arrow of the positive sense outside the rim: degrees and radii
+const SENSE = { from: 44, to: 74, label: 68, radius: 1.12 }; // the arrow of the positive sense outside the rim [degrees, radii]
 
 /** Return mark → attributes: `d` of a line, or x and y of a label. Pure. */
 function coordinateMarks(known, g, shift) {
-  const over = moved(known, shift);
+  const x = displacements(known, shift);
+  const angles = ROLLERS.map((name) => angleMarks(name, FORMULAS.angle[name](known), x[name], g));
   return {
-    ...blockMarks(over.block, -shift * CM, g),
-    ...Object.assign({}, ...ROLLERS.map((name) => angleMarks(name, FORMULAS.angle[name](known), over[name], g))),
-    ...slabMarks(over.block, over.slab, known.compression * CM, g),
-    ...radiusMarks(over.top, g),
-    ...sharedMarks(over.hoop, g),
+    ...blockMarks(x.block, -shift * CM, g),
+    ...Object.assign({}, ...angles),
+    ...slabMarks(x.block, x.slab, known.compression * CM, g),
+    ...radiusMarks(x.top, g),
+    ...sharedMarks(x.hoop, g),
   };
 }
 
-/** X: the block's displacement to the left of its initial position, drawn in the floor; its positive sense at the edge. */
+/** X, the block's displacement to the left of its initial position, in the floor; and its positive sense at the block's edge. */
 function blockMarks(edge, origin, g) {
   const y = g.deck + 4.5, length = -7.5;
   return {
@@ -34,20 +35,22 @@ function blockMarks(edge, origin, g) {
 }
 
 /** An angle, from the vertical to the mark on the rim, and outside the rim an arrow in the positive sense (clockwise). */
-function angleMarks(name, angle, moved, g) {
-  const [x0, y0] = g.centre[name], x = x0 + moved, { R } = g;
-  const point = (radii, at) => `${x + radii * R * Math.sin(at)} ${-y0 - radii * R * Math.cos(at)}`;
+function angleMarks(name, angle, displacement, g) {
+  const [x0, y0] = g.centre[name], x = x0 + displacement, { R } = g;
+  const point = (radii, direction) => `${x + radii * R * Math.sin(direction)} ${-y0 - radii * R * Math.cos(direction)}`;
   const turn = ((angle % TURN) + TURN) % TURN, signed = turn > Math.PI ? turn - TURN : turn;
-  const [from, to, beside] = [SENSE.from, SENSE.to, SENSE.label].map((degrees) => (degrees * TURN) / 360);
+  const [from, to, labelAngle] = [SENSE.from, SENSE.to, SENSE.label].map((degrees) => (degrees * TURN) / 360);
   const value = `M${x} ${-y0}L${point(ARC, 0)}${arc(x, -y0, ARC * R, ARC * R, 0, signed)}z`;
-  const along = 1.8 / (SENSE.at * R); // the angle covered by the arrow's head
-  const head = `M${point(SENSE.at + 0.9 / R, to - along)}L${point(SENSE.at, to)}L${point(SENSE.at - 0.9 / R, to - along)}`;
+  const radius = SENSE.radius * R;
+  const headStart = to - 1.8 / radius; // angle at which the arrow's head begins
+  const [outer, inner] = [SENSE.radius + 0.9 / R, SENSE.radius - 0.9 / R];
+  const head = `M${point(outer, headStart)}L${point(SENSE.radius, to)}L${point(inner, headStart)}`;
   return {
     [`${name}_guide`]: { d: `M${x} ${-y0}L${point(1, 0)}` },
     [`${name}_value`]: { d: Math.abs(signed) < 1e-3 ? "" : value },
     [`${name}_radius`]: { d: `M${x} ${-y0}L${point(1, signed)}` },
-    [`${name}_sense`]: { d: `M${point(SENSE.at, from)}${arc(x, -y0, SENSE.at * R, SENSE.at * R, from, to)}${head}` },
-    [`${name}_label`]: { x: x + (SENSE.at * R + 1.2) * Math.sin(beside), y: -y0 - (SENSE.at * R + 1.2) * Math.cos(beside) },
+    [`${name}_sense`]: { d: `M${point(SENSE.radius, from)}${arc(x, -y0, radius, radius, from, to)}${head}` },
+    [`${name}_label`]: { x: x + (radius + 1.2) * Math.sin(labelAngle), y: -y0 - (radius + 1.2) * Math.cos(labelAngle) },
   };
 }
 
@@ -67,18 +70,20 @@ function slabMarks(block, slab, compression, g) {
 }
 
 /** R, drawn in the top roller; all three have the same radius. */
-function radiusMarks(moved, g) {
-  const [x0, y0] = g.centre.top, x = x0 + moved, at = (-38 * TURN) / 360, side = 0.24 * g.R;
-  const [dx, dy] = [g.R * Math.sin(at), g.R * Math.cos(at)];
+function radiusMarks(displacement, g) {
+  const [x0, y0] = g.centre.top, x = x0 + displacement;
+  const direction = (-38 * TURN) / 360; // of the line, from the vertical
+  const side = 0.24 * g.R; // distance of the label from the line
+  const [dx, dy] = [g.R * Math.sin(direction), g.R * Math.cos(direction)];
   return {
     R_value: { d: `M${x} ${-y0}l${dx} ${-dy}` },
-    R_label: { x: x + dx * 0.48 - side * Math.cos(at), y: -y0 - dy * 0.48 + side * Math.sin(at) },
+    R_label: { x: x + dx * 0.48 - side * Math.cos(direction), y: -y0 - dy * 0.48 + side * Math.sin(direction) },
   };
 }
 
 /** A bracket under the two lower rollers, which have the same mass. */
-function sharedMarks(moved, g) {
-  const [left, right] = [g.centre.hoop[0] + moved, g.centre.cylinder[0] + moved], y = g.deck - 2;
+function sharedMarks(displacement, g) {
+  const [left, right] = [g.centre.hoop[0] + displacement, g.centre.cylinder[0] + displacement], y = g.deck - 2;
   return {
     shared_value: { d: `M${left} ${-y - 1}V${-y}H${right}V${-y - 1}` },
     shared_label: { x: (left + right) / 2, y: -y + 2.8 },
@@ -95,8 +100,8 @@ export const drawCoordinates = (root, known, place, shift) =>
   put((name) => root.querySelector(`[data-mark=${name}]`) ?? makeMark(name, root), coordinateMarks(known, place, shift));
 
 function makeMark(name, root) {
-  const [of, kind] = name.split("_"), body = { X: "block", x0: "spring" }[of] ?? of;
-  const data = { "data-mark": name, "data-of": of, style: `--of: var(--${body}-ink, var(--ink))` };
+  const [quantity, kind] = name.split("_"), body = { X: "block", x0: "spring" }[quantity] ?? quantity;
+  const data = { "data-mark": name, "data-of": quantity, style: `--of: var(--${body}-ink, var(--ink))` };
   if (kind !== "label") return element("path", { class: kind, ...data }, root);
   return Object.assign(element("text", data, root), { textContent: LABELS[name] });
 }

@@ -32,21 +32,26 @@ export function layout({ radius }, [, largest]) {
   const bottom = -Math.max(8.5, 3.5 + R / 2); // room for the ruler's numbers, which grow with the picture
   const view = fitView({ left: -9, right: right + travel + 2, bottom, top: Math.max(upper + 2 * R + 3, shelf + 14) });
   const centre = { hoop: [hoop, deck + R], cylinder: [cylinder, deck + R], top: [top, upper + R] };
-  const low = riser * deck, high = (right - riser) * upper; // areas of the block's two steps
-  const block = [low * riser + high * (riser + right), low * deck + high * upper].map((sum) => sum / (low + high) / 2);
-  const home = { block, slab: [(slab.left + slab.right) / 2, slab.bottom + thick / 2], ...centre }; // centres of mass
+  // The block consists of two rectangles. Its centre of mass is the mean of their centres, weighted by their areas.
+  const lowArea = riser * deck, highArea = (right - riser) * upper, area = lowArea + highArea;
+  const blockX = (lowArea * (riser / 2) + highArea * ((riser + right) / 2)) / area;
+  const blockY = (lowArea * (deck / 2) + highArea * (upper / 2)) / area;
+  const slabCentre = [(slab.left + slab.right) / 2, slab.bottom + thick / 2];
+  const home = { block: [blockX, blockY], slab: slabCentre, ...centre }; // centres of mass at φ = 0
   const floor = [-BEYOND, Math.ceil((view.right + BEYOND) / STRETCH) * STRETCH];
   return { R, travel, deck, thick, slab, riser, upper, right, view, centre, home, shelf, floor };
 }
 
 /** Widen a view to both sides, or upwards, until its aspect ratio is ASPECT. */
 function fitView({ left, right, bottom, top }) {
-  const wide = Math.max(right - left, ASPECT * (top - bottom)), more = (wide - (right - left)) / 2;
-  return { left: left - more, right: right + more, bottom, top: bottom + wide / ASPECT };
+  const width = Math.max(right - left, ASPECT * (top - bottom));
+  const margin = (width - (right - left)) / 2;
+  return { left: left - margin, right: right + margin, bottom, top: bottom + width / ASPECT };
 }
 
-/** The displacement of each body [cm] in a view that has moved by `shift` [m]. */
-export const moved = (known, shift) => mapValues(FORMULAS.displacement, (displacement) => (displacement(known) - shift) * CM);
+/** The displacement of each body [cm] in a view that has moved by `shift` [m]. `known` has the symbols of the formulas. */
+export const displacements = (known, shift) =>
+  mapValues(FORMULAS.displacement, (displacement) => (displacement(known) - shift) * CM);
 
 /** The points at which the velocity arrows begin, at φ = 0. */
 export function anchors(g) {
@@ -86,43 +91,50 @@ export function roundBelow(value) {
   return factor * power;
 }
 
-/** Contact → [roller, height above the roller's centre in radii, other body]. */
+/** Contact → its roller, the other body, and the contact's height above the roller's centre in radii (1 or −1). */
 export const CONTACTS = mapValues(FORMULAS.contact_force, (_force, contact) => {
   const [roller, other] = contact.split("_");
-  return [roller, other === "slab" ? 1 : -1, other];
+  return { roller, other, side: other === "slab" ? 1 : -1 };
 });
 
 const MAX_OFFSET = 1.5; // cm, by which a force is drawn beside its contact or the spring, so that opposite arrows do not overlap
 
-/**
- * The forces on all bodies, name → [body, x, y, newtons to the right or upwards]. A contact has two opposite and equal forces.
- * `forces` are parallel to the floor, `weights` perpendicular to it.
- */
-export function forcesOn(known, g, shift) {
-  const over = moved(known, shift), beside = 0.22 * g.R, offset = Math.min(beside, MAX_OFFSET), forces = {}, upright = {};
-  const weights = mapValues(FORMULAS.weight, (weight) => weight(known));
-  for (const [contact, [roller, side, other]] of Object.entries(CONTACTS)) {
-    const x = g.centre[roller][0] + over[roller], y = g.centre[roller][1] + side * g.R;
-    const friction = FORMULAS.contact_force[contact](known), normal = -side * FORMULAS.normal_force[contact](known);
-    forces[`${contact} ${roller}`] = [roller, x, y - side * offset, friction];
-    forces[`${contact} ${other}`] = [other, x, y + side * offset, -friction];
-    upright[`${contact} ${roller}`] = [roller, x, y, normal];
-    upright[`${contact} ${other}`] = [other, x, y, -normal];
+/** The forces parallel to the floor, name → { body, x, y, newtons to the right }. A contact has two opposite and equal forces. */
+export function horizontalForces(known, g, shift) {
+  const displaced = displacements(known, shift), offset = Math.min(0.22 * g.R, MAX_OFFSET), forces = {};
+  for (const [contact, { roller, other, side }] of Object.entries(CONTACTS)) {
+    const x = g.centre[roller][0] + displaced[roller], y = g.centre[roller][1] + side * g.R;
+    const friction = FORMULAS.contact_force[contact](known);
+    forces[`${contact} ${roller}`] = { body: roller, x, y: y - side * offset, newtons: friction };
+    forces[`${contact} ${other}`] = { body: other, x, y: y + side * offset, newtons: -friction };
   }
   // The two forces of a stretched spring point towards each other.
-  const axis = g.slab.bottom + g.thick / 2;
-  forces["spring slab"] = ["slab", g.slab.right + over.slab, axis + offset, FORMULAS.spring_force.slab(known)];
-  forces["spring block"] = ["block", g.riser + over.block, axis - offset, FORMULAS.spring_force.block(known)];
-  // A roller's weight is drawn beside the line of its normal forces, which would hide it.
+  const axis = g.slab.bottom + g.thick / 2, { slab, block } = FORMULAS.spring_force;
+  forces["spring slab"] = { body: "slab", x: g.slab.right + displaced.slab, y: axis + offset, newtons: slab(known) };
+  forces["spring block"] = { body: "block", x: g.riser + displaced.block, y: axis - offset, newtons: block(known) };
+  return forces;
+}
+
+/** The weights and normal forces, name → { body, x, y, newtons upwards }. A contact has two opposite and equal forces. */
+export function verticalForces(known, g, shift) {
+  const displaced = displacements(known, shift), forces = {};
+  for (const [contact, { roller, other, side }] of Object.entries(CONTACTS)) {
+    const x = g.centre[roller][0] + displaced[roller], y = g.centre[roller][1] + side * g.R;
+    const normal = -side * FORMULAS.normal_force[contact](known);
+    forces[`${contact} ${roller}`] = { body: roller, x, y, newtons: normal };
+    forces[`${contact} ${other}`] = { body: other, x, y, newtons: -normal };
+  }
+  const weights = mapValues(FORMULAS.weight, (weight) => weight(known));
   for (const [name, [x, y]] of Object.entries(g.home)) {
-    const distance = ROLLERS.includes(name) ? beside : 0;
-    upright[`weight ${name}`] = [name, x + over[name] + distance, y, -weights[name]];
+    // A roller's weight is drawn beside the line of its normal forces, which would hide it.
+    const distance = ROLLERS.includes(name) ? 0.22 * g.R : 0;
+    forces[`weight ${name}`] = { body: name, x: x + displaced[name] + distance, y, newtons: -weights[name] };
   }
   const total = Object.values(weights).reduce((sum, weight) => sum + weight, 0);
   const heights = Object.fromEntries(BODIES.map((name) => [`height_${name}`, g.home[name][1] / CM]));
   const lever = FORMULAS.floor_lever({ ...known, ...heights }) * CM;
-  upright["floor block"] = ["block", centreOfMass(known, g, shift) + lever, 0, total];
-  return { forces, weights: upright };
+  forces["floor block"] = { body: "block", x: centreOfMass(known, g, shift) + lever, y: 0, newtons: total };
+  return forces;
 }
 
 /** A spring between two points at the same height: the strands in front of its axis, with both ends, and those behind. */
@@ -139,19 +151,25 @@ export function coil(selector, from, to, y, height) {
 export const weight = (mass) => clamp(0.5 + 0.4 * Math.log10(mass), 0.12, 0.95);
 
 /** The shape of a roller with the shape factor β = I/(mass·R²). */
-export const shapeOf = (beta) => (beta > 0.8 ? "hoop" : beta > 0.6 ? "shell" : beta > 0.45 ? "cylinder" : "sphere");
+export function shapeOf(beta) {
+  if (beta > 0.8) return "hoop";
+  if (beta > 0.6) return "shell";
+  return beta > 0.45 ? "cylinder" : "sphere";
+}
 
 /**
  * The path along an ellipse between two angles, measured clockwise from the top. Its Bézier curves are within 0.03 % of the
  * ellipse; TikZ draws an SVG arc with too few digits.
  */
 export function arc(x, y, across, upright, from, to) {
-  const pieces = Math.ceil(Math.abs(to - from) / (TURN / 4)), step = (to - from) / pieces, k = (4 / 3) * Math.tan(step / 4);
-  const at = (angle, ahead) => {
+  const pieces = Math.ceil(Math.abs(to - from) / (TURN / 4)), step = (to - from) / pieces;
+  const handle = (4 / 3) * Math.tan(step / 4); // length of a Bézier handle that approximates a circle
+  // The point at an angle, or with `direction` 1 or −1 the end of its handle ahead of it or behind it.
+  const point = (angle, direction) => {
     const [sin, cos] = [Math.sin(angle), Math.cos(angle)];
-    return `${x + across * (sin + ahead * k * cos)} ${y - upright * (cos - ahead * k * sin)}`;
+    return `${x + across * (sin + direction * handle * cos)} ${y - upright * (cos - direction * handle * sin)}`;
   };
-  const piece = (start) => `C${at(start, 1)} ${at(start + step, -1)} ${at(start + step, 0)}`;
+  const piece = (start) => `C${point(start, 1)} ${point(start + step, -1)} ${point(start + step, 0)}`;
   return Array.from({ length: pieces }, (_, i) => piece(from + i * step)).join("");
 }
 
@@ -176,8 +194,11 @@ export const rollerWords = (parameters) => ROLLERS.map((name) => WORDS.bodies[sh
 /** The names of the bodies. If both lower rollers have the same shape, their names contain their places. */
 export function bodyNames(parameters) {
   const words = WORDS.bodies, [left, right, top] = rollerWords(parameters);
-  const at = (side, body) => fill(left === right ? words[side] : body === top ? words.lower : "{body}", { body });
-  return { ...words, hoop: at("left", left), cylinder: at("right", right), top: fill(words.top, { body: top }) };
+  const lowerName = (side, body) => {
+    if (left === right) return fill(words[side], { body });
+    return body === top ? fill(words.lower, { body }) : body;
+  };
+  return { ...words, hoop: lowerName("left", left), cylinder: lowerName("right", right), top: fill(words.top, { body: top }) };
 }
 
 /**
@@ -229,8 +250,8 @@ export function outlines(g, parameters) {
 }
 
 /** The positions of the bodies and the spring for these coordinates. */
-export function placed(known, g, shift = 0) {
-  const x = moved(known, shift), [from, to] = [g.slab.right + x.slab, g.riser + x.block];
+export function positions(known, g, shift = 0) {
+  const x = displacements(known, shift), [from, to] = [g.slab.right + x.slab, g.riser + x.block];
   const table = { ...coil(".spring", from, to, g.slab.bottom + g.thick / 2, 2), ".stiffness": { x: (from + to) / 2 } };
   for (const [name, [x0, y0]] of Object.entries({ block: [0, 0], slab: [0, 0], ...g.centre }))
     table[`.${name}`] = { transform: `translate(${x0 + x[name]} ${-y0})` };
@@ -239,16 +260,17 @@ export function placed(known, g, shift = 0) {
 }
 
 /** The outlines of slab and top roller at a position, for the trail. */
-export function exposure(known, g, shift) {
-  const over = moved(known, shift), { slab, R } = g, [x, y] = g.centre.top;
-  const edge = `M${slab.left + over.slab} ${-slab.bottom}v${-g.thick}H${slab.right + over.slab}v${g.thick}z`;
-  return `${edge}M${x + over.top} ${-y - R}${arc(x + over.top, -y, R, R, 0, TURN)}z`;
+export function trailOutline(known, g, shift) {
+  const displaced = displacements(known, shift), { slab, R } = g;
+  const slabOutline = `M${slab.left + displaced.slab} ${-slab.bottom}v${-g.thick}H${slab.right + displaced.slab}v${g.thick}z`;
+  const x = g.centre.top[0] + displaced.top, y = -g.centre.top[1];
+  return `${slabOutline}M${x} ${y - R}${arc(x, y, R, R, 0, TURN)}z`;
 }
 
 /** The centre of mass of the whole machine in a view that has moved by `shift` [m]. */
 export function centreOfMass(known, g, shift) {
-  const over = moved(known, shift);
-  return FORMULAS.centre({ ...known, ...mapValues(g.home, ([x], name) => x + over[name]) });
+  const displaced = displacements(known, shift);
+  return FORMULAS.centre({ ...known, ...mapValues(g.home, ([x], name) => x + displaced[name]) });
 }
 
 /** A quantity of the reference frame: the block's value of these formulas, or 0 for the ground. */
@@ -258,15 +280,17 @@ export const frameValue = (formulas, known, seenFrom) => (seenFrom === "block" ?
 export function rimTrace(name, states, g, seenFrom) {
   const [x, y] = g.centre[name];
   const points = states.map((known) => {
-    const angle = FORMULAS.angle[name](known), over = moved(known, frameValue(FORMULAS.displacement, known, seenFrom))[name];
-    return `${x + over + g.R * Math.sin(angle)} ${-(y + g.R * Math.cos(angle))}`;
+    const angle = FORMULAS.angle[name](known), origin = frameValue(FORMULAS.displacement, known, seenFrom);
+    const displacement = displacements(known, origin)[name];
+    return `${x + displacement + g.R * Math.sin(angle)} ${-(y + g.R * Math.cos(angle))}`;
   });
   return `M${points.join("L")}`;
 }
 
 /** The end of the motion, or null: the top roller beyond an edge ("edge"), or the slab against the block ("struck"). */
 export function collision(known, g) {
-  const over = (FORMULAS.displacement.top(known) - FORMULAS.displacement.block(known)) * CM + g.centre.top[0];
-  if (over < g.riser || over > g.right) return "edge";
+  const { top, block } = FORMULAS.displacement;
+  const x = (top(known) - block(known)) * CM + g.centre.top[0]; // of the top roller's centre on the block
+  if (x < g.riser || x > g.right) return "edge";
   return Math.abs(FORMULAS.deformation(known)) * CM > g.travel + 8 ? "struck" : null;
 }

@@ -24,7 +24,7 @@ def formulas() -> dict[str, Any]:
     eliminated = eliminate(bodies)
     frequency_squared = eliminated.natural_frequency_squared
     Omega = sp.Symbol("Omega", positive=True)
-    # Rational numbers, from the decimals of the source text.
+    # Exact fractions of the decimals in the source text, such as 1/4 for 0.25.
     per_radius, gap, g = (sp.Rational(str(number)) for number in (SPACING_PER_RADIUS, SPACING_GAP, GRAVITY))
     spacing = per_radius * R + gap
     accelerations = {X.diff(t, 2): eliminated.X_from_phi, Phi.diff(t, 2): eliminated.Phi_from_phi}
@@ -73,5 +73,6 @@ def labels() -> dict[str, Any]:
 def _rolling(bodies: Machine) -> dict[str, sp.Expr]:
     """Return the velocities of three points of a lower roller relative to the block: its contact, centre and top."""
     roller = bodies["hoop"]
-    centre, rim = sp.expand(roller.velocity - bodies["block"].velocity), R * roller.angle.diff(t)
+    centre = sp.expand(roller.velocity - bodies["block"].velocity)
+    rim = R * roller.angle.diff(t)
     return {"contact": centre - rim, "centre": centre, "top": centre + rim}

@@ -10,23 +10,29 @@ const PAUSE = 150; // ms from the last change until the address is written, beca
 const SPEEDS = [1, 0.5, 0.1];
 const owners = new Map(); // page and prefix → the clock to which the address belongs
 
-/** Make the keeper of one stage. `address_prefix` begins its names in the address; `send` is called with the view. */
+/**
+ * Return the object that stores the view of one stage. `address_prefix` is the prefix of its names in the address. After a
+ * change, `send` is called with the view, which `VIEW` in __init__.py describes.
+ */
 export function makeKeeper(stage, { clock: name, address_prefix: prefix, layers: defaultLayers, compact }, send, signal) {
+  // Only one clock of a page may write names with the same prefix.
   const place = `${location.pathname} ${prefix}`, isOwner = (owners.get(place) ?? name) === name;
   const settings = isOwner ? dom.settings() : new URLSearchParams();
   const stages = () => [...stage.clock.stages];
   const setting = (key) => settings.get(prefix + key);
-  let active = false;
+  let active = false; // whether this stage writes the address
   owners.set(place, name); // the next stop of the lesson has a new clock
 
   function write() {
-    const { clock, layers } = stage, joined = (names) => [...names].sort().join() || "none", shown = joined(layers);
+    const join = (names) => [...names].sort().join() || "none";
+    const { clock } = stage, layers = join(stage.layers);
     const angles = stages().flatMap(({ playback: { phase, plainPhase } }) => [phase, plainPhase]);
     const turns = angles.map((angle) => Number((angle / TURN).toFixed(6)));
     const { seenFrom: from, speed, playing } = clock, pace = playing ? stage.pace() : 0;
-    send({ layers: shown, from, speed, pace, turns: turns.join() });
+    send({ layers, from, speed, pace, turns: turns.join() });
+    // Name, value and default of each setting in the address.
     const view = [["speed", speed, 1], ["from", from, "ground"], ["paused", playing ? "" : turns.join(), ""]];
-    if (!compact) view.push(["layers", shown, joined(defaultLayers)]);
+    if (!compact) view.push(["layers", layers, join(defaultLayers)]);
     if (active) dom.keep(view.map(([key, ...values]) => [prefix + key, ...values]));
   }
 
@@ -44,7 +50,8 @@ export function makeKeeper(stage, { clock: name, address_prefix: prefix, layers:
     },
     /** Both phases of this stage if the address pauses it, or null. */
     paused() {
-      const at = 2 * stages().indexOf(stage), turns = setting("paused")?.split(",").slice(at, at + 2).map(Number) ?? [];
+      const start = 2 * stages().indexOf(stage); // two numbers for each stage on the clock
+      const turns = setting("paused")?.split(",").slice(start, start + 2).map(Number) ?? [];
       active = turns.length === 2 && turns.every((turn) => Math.abs(turn) < 1e6);
       return active ? turns.map((turn) => turn * TURN) : null;
     },

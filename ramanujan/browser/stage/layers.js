@@ -4,8 +4,8 @@
 import { fill, fixed, number, withUnit } from "../components/sentences.js";
 import { drawCoordinates } from "./coordinates.js";
 import {
-  BODIES, CM, CONTACTS, ROLLERS, anchors, bodyNames, forceArrow, forcesOn, frameValue, headOf, moved, rimTrace, roundBelow,
-  velocityArrow,
+  BODIES, CM, CONTACTS, ROLLERS, anchors, bodyNames, displacements, forceArrow, frameValue, headOf, horizontalForces, rimTrace,
+  roundBelow, velocityArrow, verticalForces,
 } from "./drawing.js";
 import { FORMULAS } from "./formulas.js";
 import { mapValues, onePeriod } from "./motion.js";
@@ -50,15 +50,15 @@ export function makeLayers(root) {
   /** Set the scales of the arrows, cm per m/s and cm per newton, from the largest speed and forces of a period. */
   function findScales(states) {
     const largest = (values) => Math.max(...states.map((known) => Math.max(...values(known).map(Math.abs)))) || 1;
-    const size = Math.max(place.R, 8), newtons = (of) => Object.values(of).map(([, , , force]) => force);
+    const size = Math.max(place.R, 8), strengths = (forces) => Object.values(forces).map(({ newtons }) => newtons);
     const speed = largest((known) => BODIES.map((name) => velocity(name, known)));
-    const force = largest((known) => newtons(forcesOn(known, place, 0).forces));
+    const force = largest((known) => strengths(horizontalForces(known, place, 0)));
     // The normal forces on a lower roller point towards each other and must not overlap.
     const normal = (contact, known) => FORMULAS.normal_force[contact](known);
     const onRoller = (name, known) => normal(`${name}_slab`, known) + normal(`${name}_block`, known);
     const pair = largest((known) => ["hoop", "cylinder"].map((name) => onRoller(name, known)));
     const load = largest((known) => ROLLERS.map((name) => FORMULAS.normal_force[`${name}_block`](known)));
-    const total = largest((known) => newtons(forcesOn(known, place, 0).weights));
+    const total = largest((known) => strengths(verticalForces(known, place, 0)));
     peak = { speed, force, weight: pair / 2 };
     const weight = Math.min((1.9 * place.R) / pair, place.deck / load, (0.7 * place.view.top) / total);
     per = { speed: (1.5 * size) / speed, force: (1.8 * size) / force, weight };
@@ -91,20 +91,20 @@ export function makeLayers(root) {
     if (shown.has("arrows")) drawArrows(known, shift);
     if (seenFrom === "block") drawRolling(known, shift);
     if (shown.has("forces")) drawForces(known, shift);
-    if (shown.has("weights")) drawAll("weights", forcesOn(known, place, shift).weights, per.weight, true);
+    if (shown.has("weights")) drawAll("weights", verticalForces(known, place, shift), per.weight, true);
     if (shown.has("coordinates")) drawCoordinates(find(".coordinates"), known, place, shift);
     if (shown.has("energy")) drawEnergy(known, write);
   }
 
   function drawArrows(known, shift) {
-    const over = moved(known, shift);
+    const displaced = displacements(known, shift);
     for (const [name, [x, y]] of Object.entries(anchors(place)))
-      draw("arrows", name, name, velocityArrow(x + over[name], y, velocity(name, known) * per.speed, headOf(place.R)));
+      draw("arrows", name, name, velocityArrow(x + displaced[name], y, velocity(name, known) * per.speed, headOf(place.R)));
   }
 
   /** Draw the velocities of a lower roller's contact, centre and top relative to the block. */
   function drawRolling(known, shift) {
-    const [home, middle] = place.centre.hoop, x = home + moved(known, shift).hoop;
+    const [home, middle] = place.centre.hoop, x = home + displacements(known, shift).hoop;
     for (const [i, [point, formula]] of Object.entries(FORMULAS.rolling).entries()) {
       const y = middle + (i - 1) * place.R, length = formula(known) * per.speed, side = length < 0 ? -1 : 1;
       draw("rolling", point, "hoop", velocityArrow(x, y, length, headOf(place.R)) || `M${x} ${-y}h0.01`); // WebKit enlarges the dot of h0
@@ -117,16 +117,19 @@ export function makeLayers(root) {
   }
 
   function drawForces(known, shift) {
-    const all = forcesOn(known, place, shift).forces;
-    drawAll("forces", all, per.force);
-    const slips = CONTACTS[data.slipping], [, x] = all[`${data.slipping} ${slips?.[0]}`] ?? [];
-    if (slips) set(find(".slipping"), { transform: `translate(${x} ${-(place.centre[slips[0]][1] + slips[1] * place.R)})` });
-    find(".slipping").style.display = slips ? "" : "none";
+    const forces = horizontalForces(known, place, shift);
+    drawAll("forces", forces, per.force);
+    const contact = CONTACTS[data.slipping];
+    find(".slipping").style.display = contact ? "" : "none";
+    if (!contact) return;
+    const { x } = forces[`${data.slipping} ${contact.roller}`];
+    const y = place.centre[contact.roller][1] + contact.side * place.R;
+    set(find(".slipping"), { transform: `translate(${x} ${-y})` });
   }
 
-  function drawAll(layer, all, scale, upright) {
-    for (const [name, [body, x, y, force]] of Object.entries(all))
-      draw(layer, name, body, forceArrow(x, y, force * scale, Math.min(headOf(place.R), 1.8), upright));
+  function drawAll(layer, forces, scale, upright) {
+    for (const [name, { body, x, y, newtons }] of Object.entries(forces))
+      draw(layer, name, body, forceArrow(x, y, newtons * scale, Math.min(headOf(place.R), 1.8), upright));
   }
 
   function drawEnergy(known, write) {

@@ -35,10 +35,12 @@ export function stateAt({ Omega, motion }, phase, time, [cosine, sine] = [Math.c
   return state;
 }
 
-/** An integrator's replacement of cos Ωt and sin Ωt: q, linear between equal steps, and minus its slope. */
+/** The replacements of cos Ωt and sin Ωt for a computed motion: its q, linear between two samples, and minus its slope. */
 export function sampleAt({ q, per_period }, phase) {
-  const at = clamp((phase / TURN) * per_period, 0, q.length - 1), i = Math.min(Math.floor(at), q.length - 2);
-  return [q[i] + (at - i) * (q[i + 1] - q[i]), ((q[i] - q[i + 1]) * per_period) / TURN];
+  const position = clamp((phase / TURN) * per_period, 0, q.length - 1); // in samples
+  const i = Math.min(Math.floor(position), q.length - 2);
+  const slope = q[i + 1] - q[i]; // per sample
+  return [q[i] + (position - i) * slope, (-slope * per_period) / TURN];
 }
 
 /** Five states in half a period, for the still picture of a reader who prefers reduced motion. */

@@ -4,7 +4,7 @@
 import { fill, fixed, withUnit } from "../components/sentences.js";
 import { makeDial } from "./dial.js";
 import {
-  BODIES, CM, STRETCH, centreOfMass, coil, collision, exposure, layout, outlines, placed, rollerWords, scenery, weight,
+  BODIES, CM, STRETCH, centreOfMass, coil, collision, layout, outlines, positions, rollerWords, scenery, trailOutline, weight,
 } from "./drawing.js";
 import { FORMULAS } from "./formulas.js";
 import { makeLayers } from "./layers.js";
@@ -82,7 +82,7 @@ export function makePicture(root, { compact, dials, narrow, limits, label }, sig
 
   function frame({ known, playback, shift, write }) {
     const plain = known.plain * CM;
-    put(inMoving, placed(known, place, shift));
+    put(inMoving, positions(known, place, shift));
     put(find, {
       ".plain .body": { transform: `translate(${plain})` },
       ...coil(".plain .coil", place.slab.right + plain, place.riser, place.shelf + 3.2, 2),
@@ -103,7 +103,7 @@ export function makePicture(root, { compact, dials, narrow, limits, label }, sig
     trailPhase = phase;
     if (passed > 4 * TRAIL.apart) return trail.replaceChildren();
     const outline = trail.children.length < TRAIL.positions ? element("path") : trail.firstChild;
-    set(outline, { d: exposure(known, place, shift) });
+    set(outline, { d: trailOutline(known, place, shift) });
     trail.append(outline);
   }
 
@@ -113,7 +113,7 @@ export function makePicture(root, { compact, dials, narrow, limits, label }, sig
     set(ghost, { class: "ghost" });
     for (const node of ghost.querySelectorAll("text, title, .grip, .handle, .rest")) node.remove();
     for (const node of ghost.querySelectorAll("*")) strip(node, /^(tabindex$|role$|aria-)/);
-    put(finder(ghost), placed(known, place));
+    put(finder(ghost), positions(known, place));
     return ghost;
   }
 
@@ -121,7 +121,7 @@ export function makePicture(root, { compact, dials, narrow, limits, label }, sig
   function drawComputed(known, playback, shift) {
     const { log } = playback.computed, period = Math.min(Math.floor(playback.phase / TURN + 1e-9), log.length - 1);
     const [evaluations, turns] = log[period];
-    put(finder(find(".computed")), placed({ ...known, ...playback.computedState() }, place, shift));
+    put(finder(find(".computed")), positions({ ...known, ...playback.computedState() }, place, shift));
     find(".label").textContent = fill(WORDS.counted, { period, periods: log.length - 1, evaluations, turns });
   }
 

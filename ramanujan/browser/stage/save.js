@@ -8,12 +8,12 @@ const STYLES = [
   "fill", "fill-opacity", "stroke", "stroke-opacity", "stroke-width", "stroke-dasharray", "stroke-linecap", "stroke-linejoin",
   "opacity", "font-family", "font-size", "font-style", "text-anchor", "dominant-baseline", "paint-order",
 ];
-const WIDE = 2400; // pixels of a PNG
-const TIKZ_WIDE = 330; // pt, for a slide or a page
+const PNG_WIDTH = 2400; // pixels
+const TIKZ_WIDTH = 330; // pt, for a slide or a page
 const FILE = "ramanujan-machine";
 const SHAPES = "path, rect, circle, line, text";
 
-/** Whether a node is visible and part of the drawing, not a target for a pointer. */
+/** Return whether a node is visible and part of the drawing: not an area for a pointer, a ghost or a trail. */
 const isDrawn = (node, style) =>
   style.visibility !== "hidden" && node.getClientRects().length > 0 && !node.closest(".grip, .handle, .ghosts, .trail");
 
@@ -44,7 +44,7 @@ function standalone(svg) {
   });
   for (const node of hidden) node.remove();
   strip(copy, /./);
-  const size = { width: WIDE, height: Math.round((WIDE * height) / width) };
+  const size = { width: PNG_WIDTH, height: Math.round((PNG_WIDTH * height) / width) };
   set(copy, { xmlns: "http://www.w3.org/2000/svg", viewBox: `${x} ${y} ${width} ${height}`, ...size });
   copy.prepend(element("rect", { x, y, width, height, fill: LIGHT["--st-background-color"] }));
   return copy;
@@ -52,7 +52,8 @@ function standalone(svg) {
 
 const textOf = (svg) => `<?xml version="1.0" encoding="UTF-8"?>\n${new XMLSerializer().serializeToString(svg)}\n`;
 
-async function rasterized(svg) {
+/** Return an SVG file as a PNG file. */
+async function rasterize(svg) {
   const source = URL.createObjectURL(svg), image = Object.assign(new Image(), { src: source });
   await image.decode();
   const canvas = Object.assign(document.createElement("canvas"), { width: image.width, height: image.height });
@@ -69,7 +70,11 @@ const SYMBOLS = {
 };
 const inTex = (text) => text.replace(/φ̇|[φΦ′₀\u202f−√↔]/g, (symbol) => SYMBOLS[symbol]);
 const colourOf = (value) => (value.match(/^rgba?\((\d+), (\d+), (\d+)/) ?? []).slice(1);
-const tikzColour = (value) => ((([r, g, b]) => r && `{rgb,255:red,${r};green,${g};blue,${b}}`)(colourOf(value)));
+/** Return a CSS colour for TikZ, or undefined for a transparent one. */
+function tikzColour(value) {
+  const [r, g, b] = colourOf(value);
+  return r && `{rgb,255:red,${r};green,${g};blue,${b}}`;
+}
 const rounded = (value) => Number(value.toFixed(4));
 
 /** Return the picture as TikZ: each shape with its outline and its transformation on the page. */
@@ -90,7 +95,7 @@ function tikz(svg, { x, y, width, height }) {
     ].filter(Boolean);
     return options.length ? [`  \\path[${cm}, ${options.join(", ")}] ${outline(node)};`] : [];
   });
-  const scale = rounded(TIKZ_WIDE / width);
+  const scale = rounded(TIKZ_WIDTH / width);
   return `% Needs \\usepackage{tikz} and \\usetikzlibrary{svg.path}
 \\begin{tikzpicture}[xscale=${scale}, yscale=-${scale}, line join=round]
   \\clip (0pt,0pt) rectangle (${rounded(width)}pt,${rounded(height)}pt);
@@ -127,7 +132,7 @@ export async function save(root, kind) {
   const [svg, host] = [root.querySelector("svg.machine"), root.querySelector(".stage")];
   const content = inLightTheme(host, () => (kind === "tex" ? tikz(svg, svg.viewBox.baseVal) : textOf(standalone(svg))));
   const written = new Blob([content], { type: kind === "tex" ? "text/plain" : "image/svg+xml" });
-  const file = kind === "png" ? await rasterized(written) : written;
+  const file = kind === "png" ? await rasterize(written) : written;
   const link = Object.assign(document.createElement("a"), { href: URL.createObjectURL(file), download: `${FILE}.${kind}` });
   link.click();
   setTimeout(() => URL.revokeObjectURL(link.href), 10_000);

@@ -14,7 +14,7 @@ const GIVE = 0.02; // m, the largest displacement beyond a bound
 const KEY_STEP = 0.005; // m
 const KEY_PAUSE = 400; // ms from the last key stroke until x₀ is sent
 
-/** The compression to draw for a wanted one: beyond a bound by more than `slack`, the slab lags behind the pointer. */
+/** The compression to draw if the pointer is at `wanted` [m]. Beyond a bound by more than `slack`, the slab lags behind it. */
 function elastic(wanted, [least, most], slack = 0) {
   const bound = clamp(wanted, least, most);
   const excess = Math.abs(wanted - bound) - slack;
@@ -43,8 +43,9 @@ export class Slab {
     stage.host.classList.toggle("fixed", fixed);
     if (fixed) return set(node, { "aria-hidden": true });
     this.soon = atRest(KEY_PAUSE, () => this.letGo(), signal); // one message for a series of key strokes
-    const on = (type, act, options = {}) => node.addEventListener(type, act, { ...options, signal });
-    const ofGrip = (act) => (event) => event.pointerId === this.grip?.id && act(event);
+    const on = (type, listener, options = {}) => node.addEventListener(type, listener, { ...options, signal });
+    // Only the pressed pointer drags the slab; a second finger does not.
+    const ofGrip = (listener) => (event) => event.pointerId === this.grip?.id && listener(event);
     on("pointerdown", (event) => this.press(event));
     // A finger that drags the slab must not also scroll the page. A scroll in progress cannot be cancelled.
     on("touchstart", (event) => event.cancelable && event.preventDefault(), { passive: false });

@@ -3,7 +3,7 @@
 
 import { bus } from "../components/bus.js";
 import { observe } from "../components/lasting.js";
-import { EYE, joinClock, wake } from "./clock.js";
+import { VISIBLE_PERIOD, joinClock, wake } from "./clock.js";
 import { FORMULAS } from "./formulas.js";
 import { TURN, exposures, solve } from "./motion.js";
 import { makeKeeper } from "./keeper.js";
@@ -85,7 +85,8 @@ class Stage {
    */
   follow(view, begins = false) {
     if (view && !arrivals.has(view)) arrivals.set(view, performance.now());
-    const at = 2 * [...this.clock.stages].indexOf(this), turns = view?.turns.split(",").slice(at, at + 2).map(Number) ?? [];
+    const start = 2 * [...this.clock.stages].indexOf(this); // two numbers for each stage on the clock
+    const turns = view?.turns.split(",").slice(start, start + 2).map(Number) ?? [];
     if (!this.solution || turns.length < 2 || (view.own && !begins)) return;
     const { Omega, plain } = this.solution, { layers, from, speed, pace, ago } = view;
     const passed = pace * (ago + (performance.now() - arrivals.get(view)) / 1000);
@@ -218,13 +219,21 @@ class Stage {
     }
   }
 
-  step(by) {
-    this.stay((playback) => playback.goTo(TURN * ((Math.round((playback.phase / TURN) * STEPS) + by) / STEPS)));
+  /** Pause, and go to the nearest step plus a number of steps. */
+  step(number) {
+    this.stay((playback) => {
+      const nearest = Math.round((playback.phase / TURN) * STEPS);
+      return playback.goTo((TURN * (nearest + number)) / STEPS);
+    });
     this.voice.announce(moment(this.playback.phase, this.playback.time, this.parts));
   }
 
-  scrub(share) {
-    this.stay((playback) => playback.goTo(TURN * (Math.floor(playback.phase / TURN) + Math.min(share, 0.9999))));
+  /** Pause at a fraction of the present period. */
+  scrub(fraction) {
+    this.stay((playback) => {
+      const period = Math.floor(playback.phase / TURN);
+      return playback.goTo(TURN * (period + Math.min(fraction, 0.9999))); // 1 would begin the next period
+    });
   }
 
   seek({ time }) {
@@ -286,6 +295,7 @@ class Stage {
   }
 
   showSlowing() {
-    this.voice.showPace(this.lapse ? this.pace() : Math.min(1, this.period() / EYE) * this.clock.speed, this.clock.speed);
+    const ownPace = Math.min(1, this.period() / VISIBLE_PERIOD) * this.clock.speed;
+    this.voice.showPace(this.lapse ? this.pace() : ownPace, this.clock.speed);
   }
 }

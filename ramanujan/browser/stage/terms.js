@@ -11,25 +11,30 @@ export function linkTerms(root, signal) {
   const sheet = document.head.appendChild(document.createElement("style"));
   const bodies = new Map([...moving.querySelectorAll(".body, .coil")].map((node) => [node.classList[1], node]));
   const ink = (name) => getComputedStyle(bodies.get(name).querySelector(".form, .front")).stroke;
-  let lit;
+  let highlighted; // name of a body
 
-  function point(event) {
+  /** Highlight what belongs to the same body as the target of an event. */
+  function highlight(event) {
     const node = event.composedPath()[0], mark = node.dataset?.of, term = dom.term(node);
     const contains = (name) => (mark ? name === (BODY_OF[mark] ?? mark) : bodies.get(name).contains(node));
     const hasColor = (name) => ink(name) === term.style.color;
     const body = [...bodies.keys()].find(term ? hasColor : contains);
-    if (body === lit || (!body && dom.isFormula(node))) return;
-    lit = body;
-    host.classList.toggle("one-lit", Boolean(lit));
-    for (const each of moving.children) each.classList.toggle("lit", each === bodies.get(lit));
-    for (const each of marks.children) each.classList.toggle("lit", (BODY_OF[each.dataset.of] ?? each.dataset.of) === lit);
-    sheet.textContent = lit ? dom.termRule(ink(lit)) : "";
+    // Between two terms of a formula the highlight stays.
+    if (body === highlighted || (!body && dom.isFormula(node))) return;
+    highlighted = body;
+    host.classList.toggle("one-lit", Boolean(body));
+    for (const part of moving.children) part.classList.toggle("lit", part === bodies.get(body));
+    for (const arrow of marks.children) {
+      const owner = BODY_OF[arrow.dataset.of] ?? arrow.dataset.of;
+      arrow.classList.toggle("lit", owner === body);
+    }
+    sheet.textContent = body ? dom.termRule(ink(body)) : "";
   }
 
   for (const node of bodies.values()) {
     node.removeAttribute("aria-hidden");
     set(node, { role: "img", tabindex: 0 });
   }
-  for (const type of ["pointerover", "focusin"]) document.addEventListener(type, point, { signal });
+  for (const type of ["pointerover", "focusin"]) document.addEventListener(type, highlight, { signal });
   signal.addEventListener("abort", () => sheet.remove());
 }
