@@ -66,7 +66,7 @@ from ramanujan.translation import _
 VERSION = 1
 PARTS = {
     "clocks": "the two clock hands, and every text that depends on how near the two frequencies are",
-    "numbers": "Ω²m/k with its gauge, Ω, the period, shares of the energy, scales of arrows, and texts that contain them",
+    "numbers": "Ω²m/k with its gauge, Ω, the period, shares of the energy, scales of arrows, and texts with them",
     "plain": "the plain mass",
     "motion": "the motion and everything that shows it; the machine stays at rest in the position of its release",
     **{name: f"{what}, with its tick box" for name, (_title, what) in LAYERS.items()},
