@@ -61,6 +61,9 @@ SENTENCES = script("small_sentences")
 """The small sentences of the present slide, if the slide has room."""
 LAYOUT = script("slide_size")
 """The number of visible slides, their overflow, and the used share of the slide's height."""
+SCROLLED = """() => [...document.querySelectorAll("[class*=st-key-slide-]:not([data-away]) .katex-display")]
+  .filter((node) => node.scrollWidth > node.clientWidth + 1).map((node) => node.textContent.slice(0, 30))"""
+"""The formulas of the present slide that are wider than their boxes."""
 OUT = script("cut_figures")
 """The cut texts of figures."""
 BAR = """() => {
@@ -87,7 +90,7 @@ SLIDES = {
     f"worksheet?seed={name_of(1)}&paper=key&key={key_of(1)}": 11,
 }
 """Page → number of its slides."""
-WITH_SENTENCES = ("lesson?stop=zero-modes&chosen=zero-modes.one", "1729?left=sphere&top=shell")
+WITH_SENTENCES = (FIRST, "lesson?stop=zero-modes&chosen=zero-modes.one", "1729?left=sphere&top=shell")
 
 
 def projected(visit, path: str, *scripts: str, **more):
@@ -154,12 +157,14 @@ def check_slides(page, count: int, with_sentences: bool) -> None:
             page.locator(".st-key-pager .next").click()
             next_frame(page)
     assert wrong == []
-    if with_sentences:
-        page.set_viewport_size({"width": 1024, "height": 768})
+    for width, height in ((1024, 768), (1280, 800)) if with_sentences else ():
+        page.set_viewport_size({"width": width, "height": height})
         for title in titles:
             slides.select_option(title)
             next_frame(page)
-            wrong += [(title, each) for each in page.evaluate(SENTENCES, [0.035, 0.75])]
+            small, laid = page.evaluate(SENTENCES, [0.035, 0.7]), page.evaluate(LAYOUT)
+            wrong += [(width, title, each) for each in small + page.evaluate(SCROLLED)]
+            wrong += [(width, title, laid)] if max(laid["over"], laid["wide"]) > 2 else []
     assert wrong == []
     page.set_viewport_size({"width": 1920, "height": 1080})
     next_frame(page)

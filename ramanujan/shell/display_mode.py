@@ -76,6 +76,19 @@ def columns(name: str) -> Sequence[AbstractContextManager[Any]]:
     return row.container(), row.container()
 
 
+def floated(name: str) -> Sequence[AbstractContextManager[Any]]:
+    """Return containers for a picture at the right and for the text that flows around it.
+
+    An equation that is too wide for the place beside the picture is below it.
+
+    Parameters
+    ----------
+    name : name of the containers, unique on the page
+    """
+    both = st.container(key=f"floated_{name}")
+    return both.container(), both.container()
+
+
 def picture_and_words(picture_width: int = 3) -> Sequence[AbstractContextManager[Any]]:
     """Return columns for picture and text of a slide; no columns in the normal view.
 

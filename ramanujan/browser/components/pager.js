@@ -117,8 +117,7 @@ class Pager {
     this.fitted = { node, text };
     for (const size of SIZES.filter((size) => size <= 1 || !dom.hasFigure(node))) {
       node.style.setProperty("--fit", size);
-      node.style.setProperty("--formulas", 1);
-      node.style.setProperty("--formulas", dom.formulaSize(node));
+      dom.fitFormulas(node);
       if (!dom.overflows(node)) break;
     }
   }

@@ -254,14 +254,22 @@ export const dom = {
     })),
 
   /** Whether the content of a slide, or of a table on it, exceeds its box. */
-  overflows: (slide) =>
-    [slide, ...[...slide.children].filter(dom.hasFigure)].some((box) => box.scrollHeight > box.clientHeight + 1) ||
-    [slide, ...slide.querySelectorAll("[class*='st-key-table_']")].some(dom.scrollsAside),
-  /** The scale, at most 1, at which all formulas of a slide fit into their boxes. */
-  formulaSize: (slide) =>
-    [...slide.querySelectorAll(".katex-display")]
-      .filter(dom.scrollsAside)
-      .reduce((size, { scrollWidth, clientWidth }) => Math.min(size, (0.95 * clientWidth) / scrollWidth), 1),
+  overflows(slide) {
+    // Plotly draws a figure in its new size only later, so a picture may still be larger than its box.
+    const bottom = (node) => node.getBoundingClientRect().bottom;
+    const isTooHigh = (box) =>
+      [...box.querySelectorAll(".stElementContainer, .stPlotlyChart")].some((node) => bottom(node) > bottom(box) + 1);
+    return slide.scrollHeight > slide.clientHeight + 1 || [...slide.children].filter(dom.hasFigure).some(isTooHigh) ||
+      [slide, ...slide.querySelectorAll("[class*='st-key-table_']")].some(dom.scrollsAside);
+  },
+  /** Shrink each formula of a slide that is too wide for its box (projector.css). */
+  fitFormulas(slide) {
+    const formulas = [...slide.querySelectorAll(".katex-display")];
+    for (const { style } of formulas) style.setProperty("--formula", 1);
+    for (const { style, scrollWidth, clientWidth } of formulas.filter(dom.scrollsAside)) {
+      style.setProperty("--formula", (0.95 * clientWidth) / scrollWidth);
+    }
+  },
   /** Whether a slide has a figure, which fills the space beside the text. */
   hasFigure: (slide) => Boolean(slide.querySelector(".stPlotlyChart")),
 

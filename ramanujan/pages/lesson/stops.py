@@ -189,7 +189,7 @@ def containers(
     if _arrangement(stop, running) in _SEVERAL.values():
         return st.container(), st.container(), st.container()
     if display_mode.is_projector():
-        picture, words = display_mode.picture_and_words(2 if stop.exhibit and not running else 3)
+        picture, words = display_mode.picture_and_words(3 if running else 2)
     else:
         words, picture = st.container(key=None if stop.exhibit else "beside").columns(2, gap="medium")
     return words, picture, words

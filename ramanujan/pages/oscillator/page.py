@@ -244,13 +244,16 @@ def draw_slides(steps: list[cache.SummaryStep]) -> None:
             title = f"{n}{letter}. {detail.heading}"
             name = f"step_{n}_{index + 1}" if index else f"step_{n}"
             with slide(name, title):
-                words, picture = st.columns([5, 4])
-                words.markdown(f"### {title}\n{detail.reason}")
-                words.latex(detail.equations)
+                picture, words = display_mode.floated(name)
                 with picture:
                     drawings.draw(machine, alt=_("The machine with its coordinates."), style="width:100%")
-                    if detail == step.steps[-1]:
-                        draw_numbers(n, step.numbers, 24)
+                with words:
+                    st.markdown(f"### {title}\n{detail.reason}")
+                    with st.container(horizontal=True):
+                        st.latex(detail.equations, width="content")
+                        if detail == step.steps[-1] and step.numbers:
+                            with st.container(width="content"):
+                                draw_numbers(n, step.numbers, 24)
 
 
 if __name__ == "__main__":

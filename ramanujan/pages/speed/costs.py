@@ -12,7 +12,7 @@ from ramanujan.integrators import METHODS
 from ramanujan.numerals import filled, number, percent
 from ramanujan.pages.speed import cache, downsampling, verdicts
 from ramanujan.shell import address, drawings, theme, widgets
-from ramanujan.shell.display_mode import columns, is_projector, picture_and_words
+from ramanujan.shell.display_mode import columns, is_projector
 from ramanujan.translation import _, ngettext
 
 COST = address.Choice("cost", {"evaluations": _("evaluations"), "seconds": _("seconds")}, "evaluations")
@@ -99,7 +99,7 @@ def draw_diagram(periods: int, by: str, tolerance: float) -> None:
     curves, closed = cache.diagram(periods), cache.closed(periods)
     ranked = cheapest(curves, tolerance, by)
     sentence = verdicts.recommend_run(ranked, tolerance, by, closed)
-    figure, words = picture_and_words() if is_projector() else reversed(columns("costs"))
+    words, figure = columns("costs")
     with words:
         st.markdown(sentence)
     singled = {}

@@ -65,7 +65,7 @@ def draw_condition() -> None:
 
 def draw_digits() -> None:
     """Draw the exact ratio with any number of digits, and its fractions for the workshop."""
-    decimals, fractions = st.columns([2, 3], gap="medium") if is_projector() else columns("ratios")
+    decimals, fractions = st.columns([1, 2], gap="medium") if is_projector() else columns("ratios")
     with decimals:
         count = widgets.count(DIGITS, _("Digits of ε after the decimal point"), step=10, width=330)
         digits = number_theory.positive_root_digits(*PAPER.quadratic, count)
