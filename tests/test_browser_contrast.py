@@ -46,6 +46,11 @@ def painted(page: Page, control: int) -> np.ndarray:
     return np.asarray(picture, dtype=int)
 
 
+def pixels(place: Locator) -> np.ndarray:
+    """Return the pixels of an element."""
+    return np.asarray(Image.open(io.BytesIO(place.screenshot())).convert("RGB"), dtype=int)
+
+
 def differ(first: np.ndarray, second: np.ndarray) -> bool:
     """Whether two pictures differ visibly: in more than a few pixels, and by a large amount."""
     if abs(first.shape[0] - second.shape[0]) > 2 or abs(first.shape[1] - second.shape[1]) > 2:
@@ -166,6 +171,24 @@ def test_every_kind_of_control_is_visible_in_forced_colours(visit):
         assert check_controls(page, "[data-none]", checked) > 4
         types |= check_states(page, EVERYWHERE, with_states)
     assert types >= {"checkbox", "range", "tab", "radio"}
+
+
+def test_slides_popovers_and_the_projector_switch_are_visible_in_forced_colours(visit):
+    page = visit("motion", figures=False, forced_colors="active")
+    page.add_style_tag(content=CALM_PAGE)
+    for name, place in (("Share", ".st-key-bar"), ("Steps, speed, view", "[class*='st-key-stage']")):
+        page.get_by_role("button", name=name).press("Enter")  # after a click, React Aria shows no focus
+        assert check_controls(page, f"header, .stSidebar, main :not({place}, {place} *, :has({place}))") > 4
+        page.keyboard.press("Escape")
+    if page.locator("[data-testid=stExpandSidebarButton]").is_visible():
+        page.locator("[data-testid=stExpandSidebarButton]").click()
+    switch = page.locator(".st-key-projector label")
+    off = pixels(switch)
+    switch.click()
+    page.wait_for_url("**view=projector*")
+    settle(page)
+    assert differ(off, pixels(switch))
+    assert check_controls(page, "header, .stSidebar") > 4
 
 
 def test_desk_phone_and_wall_show_the_chosen_option(visit):
