@@ -27,6 +27,7 @@ from ramanujan.derivation.printers import javascript
 from ramanujan.numerals import DECIMAL
 
 _HERE = Path(__file__).parent
+_COMMON = _HERE / "components/common.css"
 _MARKUP = {"turn": "steps"}
 """Component → another component with the same HTML and CSS."""
 
@@ -85,7 +86,7 @@ def _markup(name: str, texts: dict[str, str], **parts: str) -> str:
     """Return a component's style sheet and HTML, with its texts and HTML parts inserted; both files are optional."""
     style, html = (_text(_HERE / f"{name}.{kind}") for kind in ("css", "html"))
     html = html.format(**{slot: escape(text) for slot, text in texts.items()}, **parts)
-    return f"<style>{style}</style>{html}" if style else html
+    return f"<style>{_text(_COMMON)}{style}</style>{html}" if style else html
 
 
 def _layer_boxes() -> str:
