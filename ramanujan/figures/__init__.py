@@ -168,7 +168,7 @@ def in_large_print(figure: BaseFigure) -> Drawn:
     is_above = any(note.get("yref") == "paper" and note["y"] == 1 for note in notes)
     names = {trace["name"] for trace in sent["data"] if trace.get("name") and trace.get("showlegend", True)}
     if "legend" in layout and len(names) > _ROW:
-        layout["legend"] = {"orientation": "v", "tracegroupgap": 0, "maxheight": 1000}
+        layout["legend"] = {"orientation": "v", "tracegroupgap": 0, "maxheight": 1000, "font": {"size": 18}}
     layout |= {"annotations": notes, "margin": {**layout.get("margin", {}), "t": _ABOVE[is_above]}}
     return Drawn({**sent, "layout": layout})
 
