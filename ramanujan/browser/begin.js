@@ -12,8 +12,8 @@ const CONTRAST = import.meta.url.startsWith("data:")
   ? ""
   : `<link rel="stylesheet" media="(forced-colors: active)" href="${new URL("components/contrast.css", import.meta.url)}">`;
 
-const hasMarkup = new WeakSet(); // parentElements with their HTML
-const lives = new WeakMap(); // parentElement → { component, stop, calls, update }
+const hasMarkup = new WeakSet(); // parentElements that contain their HTML
+const instances = new WeakMap(); // parentElement → { component, stop, calls, update }
 
 export async function begin(component) {
   const { name, parentElement } = component;
@@ -25,18 +25,20 @@ export async function begin(component) {
     parentElement.append(markup.content);
     parentElement.host?.toggleAttribute("data-begun", true);
   }
-  if (!lives.has(parentElement)) {
-    const life = { component: { ...component }, stop: new AbortController(), calls: 0 };
-    lives.set(parentElement, life);
-    life.update = module.default(life.component, life.stop.signal);
+  if (!instances.has(parentElement)) {
+    const instance = { component: { ...component }, stop: new AbortController(), calls: 0 };
+    instances.set(parentElement, instance);
+    instance.update = module.default(instance.component, instance.stop.signal);
   }
-  const life = lives.get(parentElement), call = ++life.calls;
-  Object.assign(life.component, component);
-  life.update?.();
+  const instance = instances.get(parentElement);
+  instance.calls += 1;
+  const call = instance.calls;
+  Object.assign(instance.component, component);
+  instance.update?.();
   return () => {
     // Streamlit may run the cleanup of an earlier call while the element is still on the page.
-    if (call !== life.calls) return;
-    lives.delete(parentElement);
-    life.stop.abort();
+    if (call !== instance.calls) return;
+    instances.delete(parentElement);
+    instance.stop.abort();
   };
 }

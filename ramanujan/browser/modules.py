@@ -37,8 +37,8 @@ def contents() -> dict[str, bytes]:
     """Return path → content of all files: modules, style sheets of the pages, and fonts."""
     sheets = ("contrast", "page", "print", "projector", "type")
     patterns = ("**/*.js", *(f"components/{name}.css" for name in sheets), "**/*.woff2")
-    offered = [path for pattern in patterns for path in sorted(_HERE.glob(pattern))]
-    components = sorted(f"components/{path.stem}" for path in offered if path.match("components/*.js"))
+    paths = [path for pattern in patterns for path in sorted(_HERE.glob(pattern))]
+    components = sorted(f"components/{path.stem}" for path in paths if path.match("components/*.js"))
     sentences = {**words.SENTENCES, **labels(), "slips": words.SLIPS, "bodies": words.BODIES}
     generated = {
         "components/language.js": f'export const DECIMAL = "{DECIMAL}";',
@@ -47,7 +47,7 @@ def contents() -> dict[str, bytes]:
         "stage/texts.js": f"export const WORDS = {json.dumps(sentences, ensure_ascii=False)};\n"
         f"export const LIGHT = {json.dumps(_light())};",
     }
-    files = {path.relative_to(_HERE).as_posix(): path.read_bytes() for path in offered}
+    files = {path.relative_to(_HERE).as_posix(): path.read_bytes() for path in paths}
     # Components are printed in the light theme.
     light = "".join(f"{name}: {color}; " for name, color in (_light() | {"--st-background-color": "#fff"}).items())
     files["components/print.css"] += f"#root .stBidiComponent {{ &, * {{ {light}}} }}".encode()
@@ -57,7 +57,9 @@ def contents() -> dict[str, bytes]:
 @cache
 def folder() -> str:
     """Return the folder of `contents` in an address, relative to the app's address."""
-    return f"modules/{sha256(repr(sorted(contents().items())).encode()).hexdigest()[:12]}"
+    listing = repr(sorted(contents().items()))
+    version = sha256(listing.encode()).hexdigest()[:12]
+    return f"modules/{version}"
 
 
 @cache
@@ -70,7 +72,13 @@ def component(name: str) -> Callable[..., Any]:
 
 
 def markup(names: Iterable[str], appended: str = "") -> str:
-    """Return the module markup.js: the HTML and CSS of these components, such as stage/stage, each with more HTML."""
+    """Return the module markup.js, which contains the HTML and CSS of components.
+
+    Parameters
+    ----------
+    names : names of the components, such as stage/stage
+    appended : HTML that is added to that of each component
+    """
     parts = {}
     for name in names:
         short = name.rpartition("/")[2]

@@ -27,7 +27,7 @@ The topics of the bus, where NAME is the name of a stage, CLOCK of a clock, and 
     exact/KEY         {value, text, judged}: the value, text and number of processed inputs of a slider's box
     announce          {sentence, urgent}: a sentence for the page's live region
     turned            the new stop of a lesson
-    slides            {has(by)}: whether the projector has a slide `by` slides after the present one
+    slides            {has(by)}: has(by) returns whether the projector has a slide `by` slides after the present one
     sliders           a request to open the drawer with the sliders
 """
 
@@ -44,10 +44,14 @@ from ramanujan.translation import _, menu_languages
 def mount_services(theme: str, waits: bool, on_moving: Callable[[], None]) -> bool:
     """Mount the services of every page, before all other elements. Return whether the page's machine moves.
 
-    The services are: the page's live region for the topic `announce`; a notice while the server is away; keyboard
-    access to boxes that scroll sideways; a new run of the page after a switch of the theme, since the server draws the
-    figures; and a ring at the first page's machine on a curve. A figure has the ring if its layout's `meta` contains
-    the ring's colour; its axes are the mass ratio ε and Ω²m/k.
+    services.js lists the services. Among them are:
+
+    - the page's live region for the topic `announce`
+    - a notice while the page has no connection to the server
+    - keyboard access to boxes that scroll sideways
+    - a new run of the page after a switch of the theme, because the server draws the figures
+    - a ring at the current machine on a curve. The `meta` of the figure's layout contains the ring's colour, and its
+      axes are the mass ratio ε and Ω²m/k.
 
     Parameters
     ----------
@@ -120,9 +124,11 @@ def cubes(sums: Sequence[Sequence[int]], alternatives: Sequence[str], captions: 
 def cursor(stage: str) -> Any:
     """Put the time cursor on the page: it marks one moment in every figure, and moves without the server.
 
-    A figure takes part if its layout's `meta` contains: cursor, "time" (t is the horizontal axis) or "orbit" (points at
-    equal steps of time); period [s]; and periods, the number of periods in the figure. The marks are computed from the
-    figure's data.
+    The cursor marks a figure if the `meta` of the figure's layout contains:
+
+    cursor : "time" if the horizontal axis is t, or "orbit" if the points of a curve are at equal steps of time
+    period : the period [s]
+    periods : the number of periods in the figure
 
     Parameters
     ----------
@@ -220,10 +226,11 @@ def steps(route: str, headings: Sequence[str], on_turned: Callable[[str, int], N
     data = {"route": route, "headings": list(headings), "onward": onward}
     data["place"] = _("Step {now} of {count}: {heading}")
 
-    def act(at: dict[str, Any]) -> None:
-        on_turned(at["route"], min(max(at["step"], 1), len(headings)))
+    def receive(position: dict[str, Any]) -> None:
+        step = min(max(position["step"], 1), len(headings))
+        on_turned(position["route"], step)
 
-    return mount("components/steps", "lecture_turn", data, "at", act, {"route": route, "step": 1})
+    return mount("components/steps", "lecture_turn", data, "at", receive, {"route": route, "step": 1})
 
 
 def turn(
@@ -247,7 +254,11 @@ def turn(
     """
     settings = {"place": place, "clicker": clicker, "refusal": refusal, "ending": True}
     data = {"headings": list(headings), "now": now, **settings}
-    return mount("components/turn", "turn", data, "to", lambda to: on_turned(min(max(to, 1), len(headings))), now)
+
+    def receive(number: int) -> None:
+        on_turned(min(max(number, 1), len(headings)))
+
+    return mount("components/turn", "turn", data, "to", receive, now)
 
 
 def pager(on_turned: Callable[[str], None]) -> Any:
@@ -270,11 +281,13 @@ def stopwatch(key: str) -> float | None:
     key : Streamlit's key of the element
     """
     data = {"start": _("Start"), "stop": _("Stop"), "seconds": _("{seconds}\u202fs")}
-    taken = modules.component("components/stopwatch")(key=key, data=data, on_seconds_change=lambda: None).seconds
-    return taken if _is_like(taken, 0.0) else None
+    stopwatch = modules.component("components/stopwatch")(key=key, data=data, on_seconds_change=lambda: None)
+    return stopwatch.seconds if _is_like(stopwatch.seconds, 0.0) else None
 
 
-def mount(name: str, key: str, data: Mapping[str, Any], event: str, act: Callable[[Any], None], example: Any) -> Any:
+def mount(
+    name: str, key: str, data: Mapping[str, Any], event: str, on_value: Callable[[Any], None], example: Any
+) -> Any:
     """Put a component on the page that sends values to the server.
 
     Parameters
@@ -283,14 +296,14 @@ def mount(name: str, key: str, data: Mapping[str, Any], event: str, act: Callabl
     key : Streamlit's key of the element
     data : data of the component
     event : name of the component's trigger or state
-    act : called with each value that has the type of the example; other values do not come from the page
+    on_value : called with each value that has the type of the example; other values do not come from the page
     example : an example of a value
     """
 
     def receive() -> None:
         value = getattr(st.session_state.get(key), event, None)
         if _is_like(value, example):
-            act(value)
+            on_value(value)
 
     return modules.component(name)(key=key, data=data, **{f"on_{event}_change": receive})
 

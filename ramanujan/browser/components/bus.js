@@ -6,7 +6,7 @@ class Bus extends EventTarget {
 
   publish(topic, value, owner = this) {
     const values = this.#values.get(topic) ?? new Map();
-    values.delete(owner);
+    values.delete(owner); // then `set` appends the owner at the end
     this.#values.set(topic, values.set(owner, value));
     this.dispatchEvent(new CustomEvent(topic, { detail: value }));
   }

@@ -2,13 +2,13 @@
 // a dialog about the internet connection (page.css hides it).
 //
 // The wall of a class reruns twice a second. On a busy server these reruns can stop (streamlit#9921), and nobody is at the wall
-// to reload the page. Therefore a wall without a run for LONGEST ms reloads itself.
+// to reload the page. Therefore a wall reloads itself after LONGEST_IDLE ms without a run.
 
 import { bus } from "./bus.js";
-import { atRest } from "./lasting.js";
+import { debounce } from "./lasting.js";
 import { dom } from "./streamlit_dom.js";
 
-const LONGEST = 20_000;
+const LONGEST_IDLE = 20_000;
 
 export default function ({ data, parentElement }, signal) {
   const notice = parentElement.querySelector(".away");
@@ -18,7 +18,7 @@ export default function ({ data, parentElement }, signal) {
     if (connected && dom.isIdleWall() && !document.hidden) location.reload();
     else restartTimer();
   };
-  const restartTimer = atRest(LONGEST, reloadIdleWall, signal);
+  const restartTimer = debounce(LONGEST_IDLE, reloadIdleWall, signal);
   restartTimer();
   dom.watchConnection((isConnected) => {
     connected = isConnected;

@@ -15,17 +15,17 @@ export default function copy(event) {
   const [first, last] = [range.startContainer, range.endContainer].map(dom.formulaOf);
   if (first) range.setStartBefore(first);
   if (last) range.setEndAfter(last);
-  const holder = document.createElement("div");
-  holder.append(range.cloneContents());
-  const formulas = dom.formulas(holder);
+  const copied = document.createElement("div");
+  copied.append(range.cloneContents());
+  const formulas = dom.formulas(copied);
   if (!formulas.length) return;
   for (const formula of formulas) formula.replaceWith(asText(dom.source(formula)));
   // innerText contains line breaks only for an element with a layout.
-  Object.assign(holder.style, { position: "fixed", opacity: 0 });
-  document.body.append(holder);
-  event.clipboardData.setData("text/plain", holder.innerText);
-  event.clipboardData.setData("text/html", holder.innerHTML);
-  holder.remove();
+  Object.assign(copied.style, { position: "fixed", opacity: 0 });
+  document.body.append(copied);
+  event.clipboardData.setData("text/plain", copied.innerText);
+  event.clipboardData.setData("text/html", copied.innerHTML);
+  copied.remove();
   event.preventDefault();
 }
 

@@ -19,27 +19,32 @@ export function faces(sides, apart, turn) {
   const angle = turn * DEGREES, [x, y, z] = [[1, 0, 0], [0, 1, 0], [0, 0, 1]];
   const across = [-Math.sin(angle), Math.cos(angle), 0];
   const upright = [-Math.cos(angle) * Math.sin(TILT), -Math.sin(angle) * Math.sin(TILT), Math.cos(TILT)];
-  const dot = (a, b) => a.reduce((sum, each, i) => sum + each * b[i], 0);
-  const add = (point, edge, times) => point.map((each, i) => each + edge[i] * times);
-  const at = (point) => [EDGE * dot(across, point), -EDGE * dot(upright, point)].map((each) => each.toFixed(2)).join(" ");
+  const dot = (a, b) => a.reduce((sum, component, i) => sum + component * b[i], 0);
+  const add = (point, edge, times) => point.map((component, i) => component + edge[i] * times);
+  /** Project a point to the picture: its coordinates as text. */
+  const project = (point) => {
+    const coordinates = [EDGE * dot(across, point), -EDGE * dot(upright, point)];
+    return coordinates.map((coordinate) => coordinate.toFixed(2)).join(" ");
+  };
   let start = 0;
   const cubes = sides.map((side, cube) => {
     const corner = [start, Math.floor((Math.max(...sides) - side) / 2), 0], high = apart ? 1 : side;
     start += side + SPACING;
     const near = (edge) => (dot(edge, [Math.cos(angle), Math.sin(angle), 0]) > 0 ? add(corner, edge, side) : corner);
-    const drawn = [
-      ["x", near(x), y, z, side, high],
-      ["y", near(y), x, z, side, high],
-      ["top", add(corner, z, high), x, y, side, side],
+    const rectangles = [
+      { face: "x", from: near(x), along: y, upwards: z, length: side, height: high },
+      { face: "y", from: near(y), along: x, upwards: z, length: side, height: high },
+      { face: "top", from: add(corner, z, high), along: x, upwards: y, length: side, height: side },
     ];
-    return drawn.map(([face, from, along, upwards, length, height]) => {
+    return rectangles.map(({ face, from, along, upwards, length, height }) => {
       const far = add(from, along, length), lines = [];
       for (let n = 0; n <= length; n++) {
         const foot = add(from, along, n);
-        lines.push(`M${at(foot)}L${at(add(foot, upwards, height))}`);
+        lines.push(`M${project(foot)}L${project(add(foot, upwards, height))}`);
       }
-      for (let n = 0; n <= height; n++) lines.push(`M${at(add(from, upwards, n))}L${at(add(far, upwards, n))}`);
-      const outline = `M${[from, far, add(far, upwards, height), add(from, upwards, height)].map(at).join("L")}z`;
+      for (let n = 0; n <= height; n++) lines.push(`M${project(add(from, upwards, n))}L${project(add(far, upwards, n))}`);
+      const corners = [from, far, add(far, upwards, height), add(from, upwards, height)];
+      const outline = `M${corners.map(project).join("L")}z`;
       return { cube, face, outline, grid: lines.join(""), layers: apart ? side : 1, rise: -EDGE * (1 + GAP) * Math.cos(TILT) };
     });
   });

@@ -26,7 +26,7 @@ class Cursor {
     on(document, "pointermove", (event) => this.drag(event));
     on(document, "pointerup", (event) => this.letGo(event));
     on(document, "pointercancel", () => (this.pressed = null));
-    dom.watchGraphs((graph) => this.drawn(graph), signal);
+    dom.watchGraphs((graph) => this.addGraph(graph), signal);
     bus.subscribe(`time/${stage}`, ({ time }) => this.goTo(time), { signal });
     signal.addEventListener("abort", () => this.graphs.forEach((graph) => erase(graph, CURSOR)));
   }
@@ -36,7 +36,8 @@ class Cursor {
     return this.meta.period * this.meta.periods;
   }
 
-  drawn(graph) {
+  /** Mark a graph that Plotly has drawn, and forget graphs that are no longer on the page. */
+  addGraph(graph) {
     for (const old of this.graphs) if (!old.isConnected) this.graphs.delete(old);
     const meta = graph.layout?.meta;
     if (!meta?.cursor) return;
@@ -101,6 +102,7 @@ class Cursor {
   }
 }
 
+/** Draw the cursor in a graph at a share of the time span: a line, or a dot on each curve. */
 function mark(graph, share) {
   const { xaxis, yaxis, meta } = graph.layout;
   if (meta.cursor === "time") {
@@ -115,7 +117,8 @@ function mark(graph, share) {
   });
 }
 
+/** Interpolate linearly between equidistant values, at a share of their range. */
 function between(values, share) {
-  const at = share * (values.length - 1), i = Math.min(Math.floor(at), values.length - 2);
-  return values[i] + (at - i) * (values[i + 1] - values[i]);
+  const position = share * (values.length - 1), i = Math.min(Math.floor(position), values.length - 2);
+  return values[i] + (position - i) * (values[i + 1] - values[i]);
 }

@@ -1,20 +1,20 @@
 // Observers and timers that stop when a signal aborts.
 
 /** Call a function after every change of a node. */
-export function observe(node, options, act, signal) {
-  const observer = new MutationObserver(act);
+export function observe(node, options, callback, signal) {
+  const observer = new MutationObserver(callback);
   observer.observe(node, options);
   signal.addEventListener("abort", () => observer.disconnect());
 }
 
-/** Return a debounced function: `act` runs `ms` milliseconds after its last call. Its method `cancel` drops a pending call. */
-export function atRest(ms, act, signal) {
+/** Return a debounced function: `callback` runs `ms` milliseconds after its last call. Its method `cancel` drops a pending call. */
+export function debounce(ms, callback, signal) {
   let timer = 0;
   const cancel = () => clearTimeout(timer);
   signal.addEventListener("abort", cancel);
-  const soon = () => {
+  const debounced = () => {
     cancel();
-    timer = setTimeout(act, ms);
+    timer = setTimeout(callback, ms);
   };
-  return Object.assign(soon, { cancel });
+  return Object.assign(debounced, { cancel });
 }

@@ -13,11 +13,18 @@ export function within({ domain: [from, to] = [0, 1], ...axis }, value) {
 
 /** The rectangle of all panels of a graph, in shares of the graph; null before they are drawn. */
 export function area(graph) {
-  const box = (node) => node.getBoundingClientRect(), home = box(graph), panels = dom.panels(graph).map(box);
+  const box = (node) => node.getBoundingClientRect();
+  const whole = box(graph), panels = dom.panels(graph).map(box);
   if (!panels.length) return null;
-  const [{ left, width }] = panels, top = Math.min(...panels.map((panel) => panel.top));
-  const height = Math.max(...panels.map((panel) => panel.bottom)) - top, { x, y, width: all, height: high } = home;
-  return { left: (left - x) / all, top: (top - y) / high, width: width / all, height: height / high };
+  const [{ left, width }] = panels; // panels are above each other
+  const top = Math.min(...panels.map((panel) => panel.top));
+  const height = Math.max(...panels.map((panel) => panel.bottom)) - top;
+  return {
+    left: (left - whole.x) / whole.width,
+    top: (top - whole.y) / whole.height,
+    width: width / whole.width,
+    height: height / whole.height,
+  };
 }
 
 /** Place the i-th mark with this class name at shares x, y of the panels. Outside of the panels it is hidden. */

@@ -2,7 +2,7 @@
 // contains their layout.
 
 import { bus } from "./bus.js";
-import { atRest, observe } from "./lasting.js";
+import { debounce, observe } from "./lasting.js";
 import { dom } from "./streamlit_dom.js";
 import { fill } from "./sentences.js";
 import { turnOf } from "./turning.js";
@@ -43,7 +43,7 @@ class Pager {
     for (const [button, by] of [[this.back, -1], [this.next, 1]]) button.addEventListener("click", () => this.turn(by));
     this.list.addEventListener("change", () => this.turn(this.list.selectedIndex - this.now));
     const sendName = () => component.setStateValue("at", this.now > 0 ? this.slides[this.now].name : "");
-    this.send = atRest(PAUSE, sendName, signal);
+    this.send = debounce(PAUSE, sendName, signal);
     // The window receives a key event last, so other elements can use the key first.
     window.addEventListener("keydown", (event) => {
       const by = turnOf(event, { PageDown: 1, PageUp: -1 });
@@ -79,6 +79,7 @@ class Pager {
     this.listTitles();
     this.show(this.wantedIndex());
     if (isNewPage) this.send();
+    // The present slide is another one than that whose name was about to be sent.
     else if (this.now !== before) this.send.cancel();
   }
 

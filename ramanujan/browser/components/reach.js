@@ -1,7 +1,7 @@
 // Makes boxes that scroll sideways, with wide formulas or tables, focusable, so that they can be scrolled by keyboard. Boxes
 // appear, disappear and change their width with the page, so this module observes the page.
 
-import { atRest, observe } from "./lasting.js";
+import { debounce, observe } from "./lasting.js";
 import { dom } from "./streamlit_dom.js";
 
 const PAUSE = 250; // ms from a change of the page until its boxes are checked
@@ -19,11 +19,11 @@ export default function ({ data }, signal) {
     const measured = dom.boxes().map((box) => [box, dom.scrollsAside(box)]);
     for (const [box, scrolls] of measured) mark(box, scrolls);
   };
-  const soon = atRest(PAUSE, check, signal);
-  observe(document.body, { childList: true, subtree: true }, soon, signal);
-  addEventListener("resize", soon, { signal });
+  const scheduleCheck = debounce(PAUSE, check, signal);
+  observe(document.body, { childList: true, subtree: true }, scheduleCheck, signal);
+  addEventListener("resize", scheduleCheck, { signal });
   // A font that loads late changes the width of a formula. Opening an expander or a tab adds no node to the page.
-  document.fonts.addEventListener("loadingdone", soon, { signal });
-  for (const type of ["click", "keyup"]) document.addEventListener(type, soon, { capture: true, signal });
-  soon();
+  document.fonts.addEventListener("loadingdone", scheduleCheck, { signal });
+  for (const type of ["click", "keyup"]) document.addEventListener(type, scheduleCheck, { capture: true, signal });
+  scheduleCheck();
 }

@@ -2,7 +2,7 @@
 // beside it; then the page sends the goal like a typed value.
 
 import { bus } from "./bus.js";
-import { atRest } from "./lasting.js";
+import { debounce } from "./lasting.js";
 import { dom } from "./streamlit_dom.js";
 
 const NEAR = 6; // px, the distance from the goal within which a thumb snaps to it; a key snaps only at the step beside it
@@ -13,12 +13,12 @@ export function makeSnap(key, send, signal) {
   let last; // the slider's value after its last move
   let cause = null; // "key" or "thumb", until the page has drawn the move
   const goal = () => bus.last(`goal/${key}`);
-  const sendGoal = atRest(PAUSE, () => {
+  const sendGoal = debounce(PAUSE, () => {
     const slider = dom.slider(key);
     if (dom.isDragged(slider)) sendGoal();
     else if (slider && dom.value(slider) === goal()) send(String(goal()));
   }, signal);
-  const on = (type, act) => addEventListener(type, act, { capture: true, signal });
+  const on = (type, listener) => addEventListener(type, listener, { capture: true, signal });
   on("keydown", (event) => (cause = event.composedPath().includes(dom.slider(key)) ? "key" : null));
   on("pointerup", () => {
     // On a slow page, the last move of a thumb is drawn after its release.

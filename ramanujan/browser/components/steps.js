@@ -2,7 +2,7 @@
 // the server. The number of the step is sent later, and the server writes it into the address.
 
 import { bus } from "./bus.js";
-import { atRest } from "./lasting.js";
+import { debounce } from "./lasting.js";
 import { dom } from "./streamlit_dom.js";
 import { Turner } from "./turning.js";
 
@@ -13,7 +13,7 @@ export default function (component, signal) {
   // Keys that also scroll the page turn a step only while the lecture is in view.
   const turns = ({ key }) => key.startsWith("Arrow") || dom.inView(dom.lecture());
   const turner = new Turner(component, signal, { moves: "input", turns, turned, onward: dom.onward });
-  const send = atRest(PAUSE, () => component.setStateValue("at", { route, step: turner.now }), signal);
+  const send = debounce(PAUSE, () => component.setStateValue("at", { route, step: turner.now }), signal);
   let route;
   signal.addEventListener("abort", () => sheet.remove());
 

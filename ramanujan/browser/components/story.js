@@ -15,7 +15,7 @@ export default ({ data, parentElement }, signal) => void new Story(data, parentE
 class Story {
   scenes = null; // of the running story
   machine = null; // parameters of the drawn machine
-  before = 0; // progress at the last frame, in periods
+  lastPeriods = 0; // progress at the last frame, in periods
 
   constructor(data, root, signal) {
     const find = (selector) => root.querySelector(selector);
@@ -56,7 +56,7 @@ class Story {
     const opening = openings.find(([{ ratios }]) => ratios[0] * machine.m <= input.max);
     const scenes = [...opening, ...rest];
     dom.moveSlider(input, scenes[0].ratios[0] * machine.m);
-    this.before = 0;
+    this.lastPeriods = 0;
     this.setScenes(scenes);
   }
 
@@ -85,14 +85,22 @@ class Story {
 
   /** Show the story at its progress in periods of the plain mass. */
   goTo(now) {
-    const periods = now + Math.max(0, now - this.before) / 2; // the middle of the next frame, which this ratio applies to
-    let end = 0;
-    this.before = now;
-    const scene = this.scenes.find((each) => periods < (end += each.periods));
-    if (!scene) return this.complete();
-    const share = 1 - (end - periods) / scene.periods;
-    dom.moveSlider(dom.slider(this.data.slider), between(scene.ratios, share) * this.machine.m);
-    this.show(scene.sentence);
+    // The ratio applies to the next frame, so take that at the middle of this frame.
+    const frame = Math.max(0, now - this.lastPeriods);
+    const periods = now + frame / 2;
+    this.lastPeriods = now;
+    let start = 0;
+    for (const scene of this.scenes) {
+      if (periods >= start + scene.periods) {
+        start += scene.periods;
+        continue;
+      }
+      const share = (periods - start) / scene.periods;
+      dom.moveSlider(dom.slider(this.data.slider), between(scene.ratios, share) * this.machine.m);
+      this.show(scene.sentence);
+      return;
+    }
+    this.complete();
   }
 
   /** Follow the drawn machine while no story runs. */
@@ -128,8 +136,8 @@ class Story {
 
 /** Interpolate linearly between equidistant values, at a share of their range. */
 function between(values, share) {
-  const at = share * (values.length - 1), i = Math.floor(at);
-  return values[i] + (at - i) * (values[i + 1] - values[i]);
+  const position = share * (values.length - 1), i = Math.floor(position);
+  return values[i] + (position - i) * (values[i + 1] - values[i]);
 }
 
 /** A clock with both hands, as HTML. */

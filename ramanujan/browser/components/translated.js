@@ -28,11 +28,11 @@ function recordTranslation({ removedNodes, addedNodes, previousSibling, nextSibl
 
 // React removes a text, or inserts before it, without checking its parent.
 for (const method of ["removeChild", "insertBefore"]) {
-  const act = Node.prototype[method];
+  const original = Node.prototype[method];
   Node.prototype[method] = function (...nodes) {
     const text = nodes.at(-1);
     if (text && text.parentNode !== this && translations.has(text)) restore(text);
-    return act.apply(this, nodes);
+    return original.apply(this, nodes);
   };
 }
 

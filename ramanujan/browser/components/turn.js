@@ -8,10 +8,10 @@ const TIMEOUT = 5000; // ms after which a request without an answer is dropped
 
 export default function (component, signal) {
   const turner = new Turner(component, signal, { moves: "change", turns, turned });
-  let request = null; // { stop, refusal, at } of the last turn without an answer
+  let request = null; // { stop, refusal, time } of the last turn without an answer
 
   function turned(stop) {
-    request = { stop, refusal: component.data.refusal, at: performance.now() };
+    request = { stop, refusal: component.data.refusal, time: performance.now() };
     bus.publish("turned", stop);
     component.setTriggerValue("to", stop);
   }
@@ -26,7 +26,7 @@ export default function (component, signal) {
     // At the desk of a class, another button is primary: the one that moves the class.
     component.parentElement.querySelector('[data-by="1"]').classList.toggle("primary", clicker);
     // Ignore the answer to an earlier request, unless it is a refusal.
-    const isPending = request && refusal === request.refusal && performance.now() - request.at < TIMEOUT;
+    const isPending = request && refusal === request.refusal && performance.now() - request.time < TIMEOUT;
     if (isPending && now !== request.stop) return;
     request = null;
     turner.show(now);

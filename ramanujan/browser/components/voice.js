@@ -2,14 +2,14 @@
 // over a description of the reader's own change.
 
 import { bus } from "./bus.js";
-import { atRest } from "./lasting.js";
+import { debounce } from "./lasting.js";
 
 const PAUSE = 500; // ms without a new sentence before one is announced
 
 export default function ({ parentElement }, signal) {
   const region = parentElement.querySelector("[role=status]");
   let next = null;
-  const soon = atRest(PAUSE, () => {
+  const soon = debounce(PAUSE, () => {
     // A screen reader announces only changes, so clear the region before repeating a sentence.
     if (region.textContent === next.sentence) region.textContent = "";
     region.textContent = next.sentence;

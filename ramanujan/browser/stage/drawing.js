@@ -148,7 +148,7 @@ export function coil(selector, from, to, y, height) {
 }
 
 /** The density of a body's fill: nearly empty for the lightest mass of the sliders, nearly full for the heaviest. */
-export const weight = (mass) => clamp(0.5 + 0.4 * Math.log10(mass), 0.12, 0.95);
+export const density = (mass) => clamp(0.5 + 0.4 * Math.log10(mass), 0.12, 0.95);
 
 /** The shape of a roller with the shape factor β = I/(mass·R²). */
 export function shapeOf(beta) {

@@ -1,7 +1,7 @@
 // Writes the view of the stages on one clock into the address: layers, speed, reference frame, and the phases of a pause. A link
 // then shows the same picture. shell/stages.py defines the names and values.
 
-import { atRest } from "../components/lasting.js";
+import { debounce } from "../components/lasting.js";
 import { dom } from "../components/streamlit_dom.js";
 import { finder } from "./parts.js";
 import { TURN } from "./motion.js";
@@ -36,7 +36,7 @@ export function makeKeeper(stage, { clock: name, address_prefix: prefix, layers:
     if (active) dom.keep(view.map(([key, ...values]) => [prefix + key, ...values]));
   }
 
-  const soon = atRest(PAUSE, write, signal);
+  const writeLater = debounce(PAUSE, write, signal);
   return {
     /** The address's settings of the clock. */
     clock: () => ({
@@ -56,11 +56,11 @@ export function makeKeeper(stage, { clock: name, address_prefix: prefix, layers:
       return active ? turns.map((turn) => turn * TURN) : null;
     },
     /** Send the view after a pause, without writing a new address. */
-    send: soon,
+    send: writeLater,
     /** Write a change by a person into the address after a pause. */
     set() {
       active = true;
-      soon();
+      writeLater();
     },
     /** Update the address, if this keeper has written it before. */
     update: () => active && stage.keeper.set(),

@@ -21,8 +21,14 @@ export function makeLayers(root) {
   let shown = new Set(), place = null, peak, per, data = {}, seenFrom = "ground", measure = null, layered = false;
 
   const [bars, names, shares] = [".bar i", ".legend span", ".legend b"].map((each) => [...root.querySelectorAll(each)]);
-  const lines = {}; // layer and name → its line
-  const draw = (layer, name, body, d) => (lines[`${layer} ${name}`] ??= makeLine(name, body, find(`.${layer}`)))(d);
+  const lines = {}; // layer and name → the function that sets the line's path
+  /** Draw a line of a layer in a body's colour. Its elements are created once and reused. */
+  function draw(layer, name, body, d) {
+    const key = `${layer} ${name}`;
+    lines[key] ??= makeLine(name, body, find(`.${layer}`));
+    const setPath = lines[key];
+    setPath(d);
+  }
   const points = mapValues(WORDS.rolling, (text) => Object.assign(element("text", {}, find(".rolling")), { textContent: text }));
 
   function geometry(newPlace, parameters) {
@@ -50,7 +56,8 @@ export function makeLayers(root) {
   /** Set the scales of the arrows, cm per m/s and cm per newton, from the largest speed and forces of a period. */
   function findScales(states) {
     const largest = (values) => Math.max(...states.map((known) => Math.max(...values(known).map(Math.abs)))) || 1;
-    const size = Math.max(place.R, 8), strengths = (forces) => Object.values(forces).map(({ newtons }) => newtons);
+    const size = Math.max(place.R, 8); // cm, the unit of the arrows' lengths
+    const strengths = (forces) => Object.values(forces).map(({ newtons }) => newtons);
     const speed = largest((known) => BODIES.map((name) => velocity(name, known)));
     const force = largest((known) => strengths(horizontalForces(known, place, 0)));
     // The normal forces on a lower roller point towards each other and must not overlap.

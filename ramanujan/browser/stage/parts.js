@@ -29,7 +29,8 @@ export function makeParts(root) {
   const owners = new Map(); // node → its parts
   for (const [name, selector] of Object.entries(partNodes(root)))
     for (const node of root.querySelectorAll(selector)) owners.set(node, [...(owners.get(node) ?? []), name]);
-  const places = new Map([...owners.keys()].map((node) => [node, document.createComment("")]));
+  // A comment takes the place of a hidden node in the document.
+  const placeholders = new Map([...owners.keys()].map((node) => [node, document.createComment("")]));
   const store = document.createElement("div");
   let hidden = new Set();
   stores.set(root, store);
@@ -38,11 +39,13 @@ export function makeParts(root) {
     hide(names) {
       hidden = new Set(names);
       for (const [node, parts] of owners) {
-        const place = places.get(node), isVisible = !parts.some((name) => hidden.has(name));
-        if (isVisible && place.parentNode) place.replaceWith(node);
-        if (isVisible || place.parentNode) continue;
-        node.replaceWith(place);
-        store.append(node);
+        const placeholder = placeholders.get(node), wasHidden = Boolean(placeholder.parentNode);
+        const isHidden = parts.some((name) => hidden.has(name));
+        if (isHidden === wasHidden) continue;
+        if (isHidden) {
+          node.replaceWith(placeholder);
+          store.append(node);
+        } else placeholder.replaceWith(node);
       }
     },
   };

@@ -4,7 +4,7 @@
 import { fill, fixed, withUnit } from "../components/sentences.js";
 import { makeDial } from "./dial.js";
 import {
-  BODIES, CM, STRETCH, centreOfMass, coil, collision, layout, outlines, positions, rollerWords, scenery, trailOutline, weight,
+  BODIES, CM, STRETCH, centreOfMass, coil, collision, density, layout, outlines, positions, rollerWords, scenery, trailOutline,
 } from "./drawing.js";
 import { FORMULAS } from "./formulas.js";
 import { makeLayers } from "./layers.js";
@@ -71,8 +71,8 @@ export function makePicture(root, { compact, dials, narrow, limits, label }, sig
   }
 
   function machine({ parameters, solution, data, clock, playback, parts: { hides } }) {
-    for (const name of BODIES) inMoving(`.${name}`).style.setProperty("--weight", weight(FORMULAS.mass[name](parameters)));
-    find(".plain .body").style.setProperty("--weight", weight(parameters.m));
+    for (const name of BODIES) inMoving(`.${name}`).style.setProperty("--weight", density(FORMULAS.mass[name](parameters)));
+    find(".plain .body").style.setProperty("--weight", density(parameters.m));
     const [left, right, top] = rollerWords(parameters);
     set(find(".picture"), { role: "img", "aria-label": fill(WORDS.picture, { left, right, top }) });
     find(".computed").replaceChildren(...(data.computed ? [copyMachine({ ...parameters, ...playback.now() })] : []));

@@ -80,21 +80,15 @@ const rounded = (value) => Number(value.toFixed(4));
 /** Return the picture as TikZ: each shape with its outline and its transformation on the page. */
 function tikz(svg, { x, y, width, height }) {
   const inverse = svg.getScreenCTM().inverse();
-  const lines = [...svg.querySelectorAll(SHAPES)].flatMap((node) => {
+  const lines = [];
+  for (const node of svg.querySelectorAll(SHAPES)) {
     const style = getComputedStyle(node);
-    if (node.closest("defs") || !isDrawn(node, style)) return [];
-    const { a, b, c, d, e, f } = inverse.multiply(node.getScreenCTM()), place = [a, b, c, d].map(rounded).join(",");
-    const cm = `cm={${place},(${rounded(e - x)}pt,${rounded(f - y)}pt)}`;
-    if (node.matches("text")) return node.textContent ? [label(node, style, cm)] : [];
-    const fill = tikzColour(style.fill), stroke = tikzColour(style.stroke), opacity = Number(style.opacity);
-    const dash = style.strokeDasharray.match(/[\d.]+/g)?.map((length, i) => `${i % 2 ? "off" : "on"} ${length * 0.5}pt`);
-    const options = [
-      fill && `fill=${fill}, fill opacity=${style.fillOpacity * opacity}`,
-      stroke && `draw=${stroke}, draw opacity=${opacity}, line width=${rounded(parseFloat(style.strokeWidth) * 0.5)}pt`,
-      dash && `dash pattern=${dash.join(" ")}, line cap=${style.strokeLinecap}`,
-    ].filter(Boolean);
-    return options.length ? [`  \\path[${cm}, ${options.join(", ")}] ${outline(node)};`] : [];
-  });
+    if (node.closest("defs") || !isDrawn(node, style)) continue;
+    const { a, b, c, d, e, f } = inverse.multiply(node.getScreenCTM());
+    const cm = `cm={${[a, b, c, d].map(rounded).join(",")},(${rounded(e - x)}pt,${rounded(f - y)}pt)}`;
+    const line = node.matches("text") ? label(node, style, cm) : shape(node, style, cm);
+    if (line) lines.push(line);
+  }
   const scale = rounded(TIKZ_WIDTH / width);
   return `% Needs \\usepackage{tikz} and \\usetikzlibrary{svg.path}
 \\begin{tikzpicture}[xscale=${scale}, yscale=-${scale}, line join=round]
@@ -104,9 +98,24 @@ ${lines.join("\n")}
 `;
 }
 
+/** Return a shape with its outline as TikZ, or an empty text if it has neither a fill nor a stroke. */
+function shape(node, style, cm) {
+  const fill = tikzColour(style.fill), stroke = tikzColour(style.stroke), opacity = Number(style.opacity);
+  const dash = style.strokeDasharray.match(/[\d.]+/g)?.map((length, i) => `${i % 2 ? "off" : "on"} ${length * 0.5}pt`);
+  const options = [];
+  if (fill) options.push(`fill=${fill}, fill opacity=${style.fillOpacity * opacity}`);
+  if (stroke) {
+    const width = rounded(parseFloat(style.strokeWidth) * 0.5);
+    options.push(`draw=${stroke}, draw opacity=${opacity}, line width=${width}pt`);
+  }
+  if (dash) options.push(`dash pattern=${dash.join(" ")}, line cap=${style.strokeLinecap}`);
+  return options.length ? `  \\path[${cm}, ${options.join(", ")}] ${outline(node)};` : "";
+}
+
 /** Return a function that reads an attribute of a node as a rounded length. */
 const lengthsOf = (node) => (name) => rounded(Number(node.getAttribute(name) ?? 0));
 
+/** Return the outline of a shape as TikZ. */
 function outline(node) {
   const of = lengthsOf(node);
   if (node.matches("circle")) return `(${of("cx")}pt,${of("cy")}pt) circle[radius=${of("r")}pt]`;
@@ -115,7 +124,9 @@ function outline(node) {
   return `svg {${node.getAttribute("d")}}`;
 }
 
+/** Return a text as TikZ, or an empty text. */
 function label(node, style, cm) {
+  if (!node.textContent) return "";
   const of = lengthsOf(node), ends = { start: "west", end: "east" }[style.textAnchor];
   const anchor = style.dominantBaseline === "auto" ? `base${ends ? ` ${ends}` : ""}` : ends ?? "center";
   // A letter on a line has a rim in the background's colour.

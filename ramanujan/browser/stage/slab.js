@@ -1,6 +1,6 @@
 // Moves the slab by pointer or keys, within elastic bounds.
 
-import { atRest } from "../components/lasting.js";
+import { debounce } from "../components/lasting.js";
 import { fill, number, withUnit } from "../components/sentences.js";
 import { CM } from "./drawing.js";
 import { FORMULAS } from "./formulas.js";
@@ -42,7 +42,7 @@ export class Slab {
     Object.assign(this, { node, stage, fixed, button: stage.root.querySelector(".undo") });
     stage.host.classList.toggle("fixed", fixed);
     if (fixed) return set(node, { "aria-hidden": true });
-    this.soon = atRest(KEY_PAUSE, () => this.letGo(), signal); // one message for a series of key strokes
+    this.letGoLater = debounce(KEY_PAUSE, () => this.letGo(), signal); // one message for a series of key strokes
     const on = (type, listener, options = {}) => node.addEventListener(type, listener, { ...options, signal });
     // Only the pressed pointer drags the slab; a second finger does not.
     const ofGrip = (listener) => (event) => event.pointerId === this.grip?.id && listener(event);
@@ -72,7 +72,7 @@ export class Slab {
     const { grip, stage: { picture, limits, parameters, playback } } = this;
     if (grip.from === undefined) {
       if (Math.abs(clientX - grip.x) < (THRESHOLD[pointerType] ?? THRESHOLD.touch)) return;
-      this.soon.cancel();
+      this.letGoLater.cancel();
       // A slab that swings beyond its bounds is dragged from its present position.
       const deformation = FORMULAS.deformation({ ...parameters, ...playback.now() });
       const slack = Math.abs(deformation - clamp(deformation, ...limits));
@@ -96,7 +96,7 @@ export class Slab {
     if (wanted === undefined || this.grip || event.ctrlKey || event.altKey || event.metaKey) return;
     event.preventDefault();
     this.compress(wanted);
-    this.soon();
+    this.letGoLater();
   }
 
   // ---- effects on the stage
@@ -122,7 +122,7 @@ export class Slab {
 
   letGo() {
     if (!this.stage.hand.isHolding) return;
-    this.soon.cancel();
+    this.letGoLater.cancel();
     this.last = this.before;
     this.stage.change(() => this.stage.hand.drop(this.value));
   }
@@ -131,7 +131,7 @@ export class Slab {
   cancel() {
     const { hand, playback, voice } = this.stage;
     if (!hand.isHolding) return;
-    this.soon.cancel();
+    this.letGoLater.cancel();
     const { compression, phase, plainPhase } = this.before;
     this.stage.change(() => {
       hand.hold(compression, null);

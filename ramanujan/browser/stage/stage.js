@@ -173,7 +173,7 @@ class Stage {
     this.setLapse(pace);
     if (pace) return;
     this.still = false;
-    this.stay((playback) => playback.goTo(playback.end));
+    this.pauseAndMove((playback) => playback.goTo(playback.end));
   }
 
   /** Request a drawing in the next frame. */
@@ -207,13 +207,16 @@ class Stage {
     this.voice.announce(playing ? WORDS.playing : WORDS.paused);
   }
 
-  /** Pause the clock and move all of its stages with the function `go`. */
-  stay(go) {
+  /**
+   * Pause the clock, and move all of its stages. `move` is called with a playback, and returns the reason if the motion ends before,
+   * or null.
+   */
+  pauseAndMove(move) {
     this.clock.playing = false;
     this.keeper.set();
     for (const stage of this.clock.stages) {
       if (!stage.solution || stage.parts.hides("motion")) continue;
-      const reason = go(stage.playback);
+      const reason = move(stage.playback);
       if (reason) stage.voice.note(WORDS[`${reason}_ahead`]);
       stage.showClock();
     }
@@ -221,7 +224,7 @@ class Stage {
 
   /** Pause, and go to the nearest step plus a number of steps. */
   step(number) {
-    this.stay((playback) => {
+    this.pauseAndMove((playback) => {
       const nearest = Math.round((playback.phase / TURN) * STEPS);
       return playback.goTo((TURN * (nearest + number)) / STEPS);
     });
@@ -230,14 +233,14 @@ class Stage {
 
   /** Pause at a fraction of the present period. */
   scrub(fraction) {
-    this.stay((playback) => {
+    this.pauseAndMove((playback) => {
       const period = Math.floor(playback.phase / TURN);
       return playback.goTo(TURN * (period + Math.min(fraction, 0.9999))); // 1 would begin the next period
     });
   }
 
   seek({ time }) {
-    if (this.solution && !this.hand.isHolding) this.stay((playback) => playback.goToTime(time));
+    if (this.solution && !this.hand.isHolding) this.pauseAndMove((playback) => playback.goToTime(time));
   }
 
   /** Set values of the clock, { playing, speed, seenFrom }, and update all of its stages. */

@@ -1,7 +1,7 @@
 // The sentences of a stage: the note over the picture, and announcements for the page's live region.
 
 import { bus } from "../components/bus.js";
-import { atRest } from "../components/lasting.js";
+import { debounce } from "../components/lasting.js";
 import { fill, fixed, number, withUnit } from "../components/sentences.js";
 import { TURN } from "./motion.js";
 import { WORDS } from "./texts.js";
@@ -35,7 +35,7 @@ export function makeVoice(root, { compact, parts, signal }) {
   let message = null, pace = "", described = "", announced = "";
   const show = (sentence) => (node.textContent = (message = sentence) ?? pace);
   const publish = (sentence, urgent) => compact || bus.publish("announce", { sentence, urgent });
-  const fade = atRest(NOTE_TIME, () => show(null), signal);
+  const fade = debounce(NOTE_TIME, () => show(null), signal);
   return {
     note(sentence) {
       show(sentence);
