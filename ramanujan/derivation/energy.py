@@ -4,7 +4,7 @@ The motion of block and top cylinder in the oscillating mode minimizes the kinet
 
     M_e = least value of 2T/(Rφ̇)² over Ẋ and Φ̇,    Ω² = [2U/(Rφ)²]/M_e = 4k/M_e.
 
-Minimizing a quadratic form over some of its variables is a Schur complement of its matrix.
+The minimum over some variables of a quadratic form is again a quadratic form. Its matrix is a Schur complement.
 """
 
 from dataclasses import replace
@@ -159,8 +159,10 @@ def _bound_step(clamped: sp.Expr, least: sp.Expr, stiffness: sp.Expr) -> Step:
 
 def _spring_mass_step(bodies: Machine, least: sp.Expr, stiffness: sp.Expr) -> Step:
     """Return the step to M_x, without the sentence about its two terms for equal masses or with numbers."""
-    lever, spin = sp.cancel(bodies.deformation / (R * phi)) ** 2, spin_of_lower_rollers(bodies)
-    spring_mass = sp.factor(least / lever)
+    # The square of the spring's deformation, divided by that of the displacement Rφ.
+    squared_ratio = sp.cancel(bodies.deformation / (R * phi)) ** 2
+    spin = spin_of_lower_rollers(bodies)
+    spring_mass = sp.factor(least / squared_ratio)
     reason = _("With the deformation $2R\\varphi$ of the spring as coordinate, the machine acts like one mass $M_x$.")
     spins = _("The term that contains $m'$ alone comes from the rotation of the lower rollers.")
     merged = step(
@@ -168,8 +170,8 @@ def _spring_mass_step(bodies: Machine, least: sp.Expr, stiffness: sp.Expr) -> St
         _("Find the mass that the spring feels"),
         reason,
         equation(M_x, spin + sp.factor(spring_mass - spin)),
-        equation(Omega_squared, stiffness / lever / M_x),
-        operations=(rf"\div {latex(lever)}", insert(equation(M_e, lever * M_x))),
+        equation(Omega_squared, stiffness / squared_ratio / M_x),
+        operations=(rf"\div {latex(squared_ratio)}", insert(equation(M_e, squared_ratio * M_x))),
     )
     if not spin.has(m_prime):
         return merged

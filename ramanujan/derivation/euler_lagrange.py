@@ -29,17 +29,14 @@ def build(bodies: model.Machine) -> Route:
 def _elimination_steps(result: Elimination) -> tuple[Step, ...]:
     """Return the steps from ℒ to Ω²."""
     coordinates = tuple(latex(q) for q in COORDINATES)
-    above, below = sp.fraction(result.merged[0].lhs)
-    oscillator = equation(in_order(phi_ddot, Omega_squared * phi), sp.S.Zero)
-    (numerator, terms), spring = result.quotient, result.motion[phi].coeff(phi)
     return (
         _lagrangian_step(result),
         _momenta_step(result),
         _rates_step(result, coordinates),
         _motion_step(result, coordinates),
-        _elimination_step(result, above, below),
-        _insertion_step(result, numerator, spring, terms),
-        _frequency_step(result, oscillator),
+        _elimination_step(result),
+        _insertion_step(result),
+        _frequency_step(result),
     )
 
 
@@ -95,7 +92,9 @@ def _motion_step(result: Elimination, coordinates: tuple[str, ...]) -> Step:
     )
 
 
-def _elimination_step(result: Elimination, above: sp.Expr, below: sp.Expr) -> Step:
+def _elimination_step(result: Elimination) -> Step:
+    Phi_line, _multiple, _replaced = result.merged
+    above, below = sp.fraction(Phi_line.lhs)
     return step(
         "elimination",
         _("Eliminate the block and the top cylinder"),
@@ -103,13 +102,13 @@ def _elimination_step(result: Elimination, above: sp.Expr, below: sp.Expr) -> St
             "The first line is the equation of $\\Phi$. Multiply the $X$ equation by ${times}$. It then contains "
             "${above}/{below}$, which by the first line equals ${same}$. Solve for ${same}$, and insert it into "
             "the first line."
-        ).format(times=result.times, above=latex(above), below=below, same=latex(result.merged[0].rhs)),
+        ).format(times=result.times, above=latex(above), below=below, same=latex(Phi_line.rhs)),
         *result.merged,
         equation(X_ddot, result.X_from_phi),
         equation(Phi_ddot, result.Phi_from_phi),
         marks=("", "left 2, right 1", "left 2", "", ""),
         operations=(
-            rf"+\,{latex(result.merged[0].rhs)}",
+            rf"+\,{latex(Phi_line.rhs)}",
             rf"\times {latex(result.times)}",
             insert(X_ddot),
             solve_for(X_ddot),
@@ -118,7 +117,9 @@ def _elimination_step(result: Elimination, above: sp.Expr, below: sp.Expr) -> St
     )
 
 
-def _insertion_step(result: Elimination, numerator: sp.Expr, spring: sp.Expr, terms: tuple[sp.Expr, ...]) -> Step:
+def _insertion_step(result: Elimination) -> Step:
+    spring = result.motion[phi].coeff(phi)
+    numerator, terms = result.quotient
     return step(
         "insertion",
         _("Insert the block’s acceleration"),
@@ -137,7 +138,8 @@ def _insertion_step(result: Elimination, numerator: sp.Expr, spring: sp.Expr, te
     )
 
 
-def _frequency_step(result: Elimination, oscillator: sp.Expr) -> Step:
+def _frequency_step(result: Elimination) -> Step:
+    oscillator = equation(in_order(phi_ddot, Omega_squared * phi), sp.S.Zero)
     return step(
         "frequency",
         _("Read off the frequency"),

@@ -65,7 +65,8 @@ def build(bodies: Machine) -> Route:
     acceleration = hamiltonian.diff(p_phi).diff(t).subs(rates)
     frequency = sp.factor(-acceleration / phi)
     stiffness = bodies.potential_energy.diff(phi, 2) / R**2
-    lever = sp.cancel(bodies.deformation / (R * phi)) ** 2
+    # The square of the spring's deformation, divided by that of the displacement Rφ.
+    squared_ratio = sp.cancel(bodies.deformation / (R * phi)) ** 2
     one_degree = (p_phi + shift) ** 2 / (2 * M_e * R**2) + bodies.potential_energy + H_0
     steps = (
         _lagrangian_step(bodies),
@@ -75,7 +76,7 @@ def build(bodies: Machine) -> Route:
         _hamiltonian_step(hamiltonian),
         _motion_step(rates, velocities),
         _reduction_step(constant, effective_mass, one_degree),
-        _frequency_step(effective_mass, frequency, lever, rates, stiffness),
+        _frequency_step(effective_mass, frequency, squared_ratio, rates, stiffness),
     )
     return Route("hamilton", _("Hamilton"), steps, frequency, CELLS)
 
@@ -187,7 +188,11 @@ def _reduction_step(constant: sp.Expr, effective_mass: sp.Expr, one_degree: sp.E
 
 
 def _frequency_step(
-    effective_mass: sp.Expr, frequency: sp.Expr, lever: sp.Expr, rates: dict[sp.Expr, sp.Expr], stiffness: sp.Expr
+    effective_mass: sp.Expr,
+    frequency: sp.Expr,
+    squared_ratio: sp.Expr,
+    rates: dict[sp.Expr, sp.Expr],
+    stiffness: sp.Expr,
 ) -> Step:
     return step(
         "frequency",
@@ -199,9 +204,9 @@ def _frequency_step(
         ),
         equation(M_e * R**2 * phi.diff(t, 2), rates[p_phi.diff(t)]),
         equation(model.Omega_squared, stiffness / M_e),
-        equation(M_x, sp.factor(effective_mass / lever)),
+        equation(M_x, sp.factor(effective_mass / squared_ratio)),
         equation(model.Omega_squared, frequency),
-        operations=(insert(p_phi.diff(t)), compare(phi), rf"\div {latex(lever)}", insert(M_e)),
+        operations=(insert(p_phi.diff(t)), compare(phi), rf"\div {latex(squared_ratio)}", insert(M_e)),
     )
 
 

@@ -117,14 +117,15 @@ class Numbers:
             return expression.func(*number, *map(self.insert_into, others))
         bracket = sums[0]
         others.remove(bracket)
-        below, others = sift(others, lambda factor: factor.is_Pow and factor.exp.is_negative, binary=True)
-        distributed = sp.Add(*(sp.Mul(*numbers, term, *below) for term in bracket.args))
+        denominators, others = sift(others, lambda factor: factor.is_Pow and factor.exp.is_negative, binary=True)
+        distributed = sp.Add(*(sp.Mul(*numbers, term, *denominators) for term in bracket.args))
         return self.insert_into(sp.Mul(distributed, *others))
 
 
 def _simplify_root(number: sp.Expr) -> sp.Expr:
     """Return a number with fractions and one square root as p + r√n. SymPy's `radsimp` takes thirty times as long."""
     (root,) = {power for power in number.atoms(sp.Pow) if power.exp == sp.Rational(1, 2)}
+    # In this field the element `unit` is √n.
     field = _field(root)
 
     def element(part: sp.Expr) -> Any:
@@ -210,7 +211,7 @@ def format_as_typed(value: sp.Expr) -> str:
 
 
 def format_with_decimal(value: sp.Expr, digits: int = 5) -> str:
-    """Return a number as LaTeX, with its decimal. It has at least `digits` digits, and enough of them to differ from 1.
+    """Return a number as LaTeX, with its decimal to `digits` digits, or to more digits if it would be rounded to 1.
 
     >>> print(format_with_decimal(sp.Rational(9, 8)), "and", format_with_decimal(sp.sqrt(2)))
     \\frac{9}{8} = 1.125 and \\sqrt{2} \\approx 1.4142

@@ -96,8 +96,10 @@ class LatexPrinter(VectorLatexPrinter):
         coefficient, behind = _split_coefficient(term)
         is_one_sum = len(term.above) == 1 and term.above[0].is_Add and not behind
         if denominator and not term.below and not is_one_sum:
+            # The number is a fraction of its own before the factors.
             numerator, denominator = rf"\frac{{{numerator}}}{{{denominator}}}", ""
         elif is_sum and (term.above or (sign < 0 and not term.below)):
+            # The numerator p + r√n is a factor, or follows a minus sign.
             numerator = rf"\left({numerator}\right)"
         below = self._side_by_side(denominator, term.below)
         if below:
@@ -361,7 +363,14 @@ def format_decimal(number: QuadraticNumber, digits: int = DIGITS) -> str:
 
 
 def _decimal(number: QuadraticNumber, rounding: str, digits: int, ellipsis: str = "") -> tuple[str, bool]:
-    """Return a decimal, and whether it is exact. It has a power of ten instead of many zeros, and dots if truncated."""
+    """Return a decimal as LaTeX, and whether it is exact.
+
+    Parameters
+    ----------
+    number : the number
+    rounding, digits : as in `decimal.Context`
+    ellipsis : the end of a decimal that is not exact. Without it, trailing zeros are omitted.
+    """
     value = number.numerator
     quotient = Context(prec=digits, rounding=rounding).divide(value, number.q)
     if not quotient:
@@ -370,9 +379,9 @@ def _decimal(number: QuadraticNumber, rounding: str, digits: int, ellipsis: str 
     exponent = quotient.adjusted()
     has_power = not -5 <= exponent < digits
     text = f"{quotient.scaleb(-exponent) if has_power else quotient:f}"
-    if is_exact or not ellipsis:
-        text = text.rstrip("0").rstrip(".") if "." in text else text
-    else:
+    if ellipsis and not is_exact:
         text += ellipsis
+    elif "." in text:
+        text = text.rstrip("0").rstrip(".")
     text = in_latex(text)
     return rf"{text} \times 10^{{{exponent}}}" if has_power else text, is_exact
