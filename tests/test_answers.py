@@ -264,7 +264,7 @@ def test_non_text_and_unused_letters_are_unreadable(text):
 
 @pytest.mark.parametrize("name", QUESTIONS)
 def test_question_accepts_only_its_listed_letters_and_names_them(name):
-    listed = question(name).accepted
+    listed = question(name).accepted_names
     for letter in (*listed, *TEXTBOOK):
         assert (judge(name, letter).kind == "unreadable") == (letter not in listed)
     assert all(each in judge(name, "y").message for each in ("“y” is not known", *listed))
@@ -320,7 +320,7 @@ def test_altered_machines_match_the_route_of_the_page(altered):
         (OMEGA, yours.natural_frequency_squared),
         ("block_coupling", yours.X_from_phi / phi_ddot),
     ):
-        assert agree(*map(question(name).values, (machines.solve(name, altered.machine), formula)))
+        assert agree(*map(question(name).evaluate, (machines.solve(name, altered.machine), formula)))
 
 
 HINTED = {
@@ -440,7 +440,7 @@ def test_each_result_has_one_mistake(name):
         for (one, first), (other, second) in combinations(known, 2):
             assert not agree(first, second), (one, other)
     results = [(each.mistake, it.of_machine(each.machine)) for each in machines.altered_machines()]
-    values_of_mistakes = [(mistake, it.values(result)) for mistake, result in results if result not in (None, 0)]
+    values_of_mistakes = [(mistake, it.evaluate(result)) for mistake, result in results if result not in (None, 0)]
     for hint, values in it.altered:
         kinds = {mistake.id for mistake, others in values_of_mistakes if agree(values, others)}
         assert len(kinds) == 1 or "other moments of inertia" in hint, (hint, kinds)

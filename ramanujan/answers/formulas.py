@@ -17,24 +17,26 @@ def is_decimal(token: object) -> bool:
     return isinstance(token, sp.Symbol) and token.name[:1] in "0123456789."
 
 
-def weights(expression: sp.Expr) -> Counter[sp.Expr]:
+def count_leaves(expression: sp.Expr) -> Counter[sp.Expr]:
     """Count the occurrences of each number and name, with every power written out as a product.
 
     The count of a name bounds the degree of the formula in it.
     """
     if expression.is_Pow:
         times = max(1, int(sp.ceiling(abs(expression.exp))))
-        return Counter({leaf: times * count for leaf, count in weights(expression.base).items()})
+        return Counter({leaf: times * count for leaf, count in count_leaves(expression.base).items()})
     if expression.is_Add or expression.is_Mul:
-        return sum(map(weights, expression.args), Counter())
+        return sum(map(count_leaves, expression.args), Counter())
     return Counter([expression])
 
 
 def length(expression: sp.Expr) -> int:
     """Return the written length of a formula: 1 for each name, digit, exponent and root."""
     if is_number(expression):
-        p, q = Fraction(str(abs(expression) if expression.is_Rational else expression)).as_integer_ratio()
-        # Neither a sign nor the 1 above a fraction line counts.
+        # The name of a decimal's symbol contains its digits.
+        size = abs(expression) if expression.is_Rational else expression
+        p, q = Fraction(str(size)).as_integer_ratio()
+        # The 1 above a fraction line does not count.
         above = 0 if p == 1 and q != 1 else len(str(p))
         below = 0 if q == 1 else len(str(q))
         return above + below
@@ -49,18 +51,18 @@ def length(expression: sp.Expr) -> int:
 
 def leaves(expression: sp.Expr) -> set[sp.Expr]:
     """Return the numbers and names in a formula, without its exponents."""
-    return set(weights(expression))
+    return set(count_leaves(expression))
 
 
-def replaced(expression: sp.Expr, values: Mapping[sp.Expr, sp.Expr]) -> sp.Expr:
+def replace_letters(expression: sp.Expr, values: Mapping[sp.Expr, sp.Expr]) -> sp.Expr:
     """Replace some letters of a formula by other expressions, without evaluation."""
     if expression.is_Pow:
-        return sp.Pow(replaced(expression.base, values), expression.exp, evaluate=False)
+        return sp.Pow(replace_letters(expression.base, values), expression.exp, evaluate=False)
     if not (expression.is_Add or expression.is_Mul):
         return values.get(expression, expression)
-    return expression.func(*(replaced(part, values) for part in expression.args), evaluate=False)
+    return expression.func(*(replace_letters(part, values) for part in expression.args), evaluate=False)
 
 
-def without_signs(expression: sp.Expr) -> sp.Expr:
+def remove_signs(expression: sp.Expr) -> sp.Expr:
     """Replace every minus sign by a plus sign, without evaluation, so that no two terms cancel."""
-    return replaced(expression, {leaf: abs(leaf) for leaf in leaves(expression) if leaf.is_Rational})
+    return replace_letters(expression, {leaf: abs(leaf) for leaf in leaves(expression) if leaf.is_Rational})

@@ -14,14 +14,14 @@ from collections.abc import Callable
 
 import sympy as sp
 
-from ramanujan.answers.formulas import is_number, leaves, replaced, weights
-from ramanujan.answers.spelling import Token, UnreadableError, plain, tokens
+from ramanujan.answers.formulas import count_leaves, is_number, leaves, replace_letters
+from ramanujan.answers.spelling import Token, UnreadableError, split_into_tokens, to_ascii
 from ramanujan.derivation.printers import latex
 from ramanujan.numerals import explain_ambiguous_number, in_latex
 from ramanujan.translation import _
 
 MAX_LENGTH, MAX_DEPTH, MAX_EXPONENT, MAX_WEIGHT = 320, 20, 12, 120
-"""Limits on characters, nested brackets, |exponent| and the sum of all `weights`; they bound all later work."""
+"""The largest numbers of characters, nested brackets and leaves, and the largest |exponent|. They bound later work."""
 
 MOST_TYPED = 2 * MAX_LENGTH
 """The longest text. LaTeX needs more characters than the formula it spells."""
@@ -66,11 +66,12 @@ def _sides(text: str, is_equation: bool = False) -> "list[_Part]":
     """Return a formula, or both sides of an equation."""
     if not isinstance(text, str):
         raise UnreadableError(_("Type your answer as text."))
-    in_ascii = plain(text[: MOST_TYPED + 1])
+    in_ascii = to_ascii(text[: MOST_TYPED + 1])
     if len(text) > MOST_TYPED or len(in_ascii) > MAX_LENGTH:
         raise UnreadableError(_("The formula is too long. Use at most {most} characters.").format(most=MAX_LENGTH))
-    if refusal := explain_ambiguous_number(text):
-        raise UnreadableError(refusal)
+    ambiguity = explain_ambiguous_number(text)
+    if ambiguity:
+        raise UnreadableError(ambiguity)
     sides = in_ascii.replace("≈", "=").split("=")
     if is_equation and len(sides) > 2:
         raise UnreadableError(_("Type one equation, with one equals sign."))
@@ -82,7 +83,7 @@ def _sides(text: str, is_equation: bool = False) -> "list[_Part]":
 
 
 def _parse_side(in_ascii: str) -> "_Part":
-    reader = _Reader(list(tokens(in_ascii)))
+    reader = _Reader(list(split_into_tokens(in_ascii)))
     if reader.next is None:
         raise UnreadableError(_("Type a formula first."))
     side = reader.sum()
@@ -95,19 +96,19 @@ class _Part:
     """A part of a formula: its unevaluated value, its LaTeX, and its LaTeX without outer brackets."""
 
     def __init__(self, value: sp.Expr, shown: str, bare: str = "") -> None:
-        if weights(value).total() > MAX_WEIGHT:
+        if count_leaves(value).total() > MAX_WEIGHT:
             raise UnreadableError(_("This is too large to check here. Write it shorter or with smaller exponents."))
         self.value, self.shown, self.bare = value, shown, bare or shown
 
     @property
     def unsigned(self) -> str:
         """The LaTeX after another term or factor: in brackets if it begins with a minus sign."""
-        return _bracketed(self.shown) if self.shown.startswith("-") else self.shown
+        return _add_brackets(self.shown) if self.shown.startswith("-") else self.shown
 
     @property
     def base(self) -> str:
         """The LaTeX below an exponent."""
-        return _bracketed(self.shown) if self.shown.startswith(r"\frac") else f"{{{self.shown}}}"
+        return _add_brackets(self.shown) if self.shown.startswith(r"\frac") else f"{{{self.shown}}}"
 
 
 class _Reader:
@@ -123,15 +124,19 @@ class _Reader:
         return self._tokens[self._position][0]
 
     @property
-    def spaced(self) -> bool:
+    def is_spaced(self) -> bool:
+        """Whether a space precedes the next token."""
         return self._tokens[self._position][1]
 
     def take(self) -> Token | None:
+        """Return the next token, and advance unless it is the end."""
         token = self.next
-        self._position += token is not None
+        if token is not None:
+            self._position += 1
         return token
 
     def sum(self) -> _Part:
+        """Return a sum. A single product keeps its outer brackets; a sum of several has none."""
         first = self.product()
         terms, shown, bare = [first.value], first.shown, first.bare
         while self.next in ("+", "-"):
@@ -141,12 +146,20 @@ class _Reader:
         return _Part(sp.Add(*terms, evaluate=False), shown, bare)
 
     def product(self) -> _Part:
-        first, reach_is_clear = self.factor(), True
+        """Return a product. A single factor keeps its outer brackets; a product of several has none.
+
+        Raises
+        ------
+        UnreadableError : a factor without a sign might be part of the denominator.
+        """
+        first = self.factor()
         factors, shown, bare = [first.value], first.shown, first.bare
+        # Whether it is clear if the next factor without a sign is above or below the last fraction line.
+        is_unambiguous = True
         while self.next in ("*", "/") or self._starts_a_factor():
             sign = self.take() if self.next in ("*", "/") else ""
-            bracketed = self.next == "("
-            if not (sign or reach_is_clear):
+            is_bracket = self.next == "("
+            if not (sign or is_unambiguous):
                 refusal = _(
                     "Where does the denominator end? Put it in brackets, or write a multiplication sign after it."
                 )
@@ -154,34 +167,36 @@ class _Reader:
             factor = self.factor()
             if sign == "/":
                 # 1/2 m and k/2 (m + R) have only one meaning; k/2m and k/2(m + R) may have two.
-                simple = is_number(factors[-1]) and is_number(factor.value)
-                reach_is_clear = simple or ((bracketed or is_number(factor.value)) and self.spaced)
+                is_typed_fraction = is_number(factors[-1]) and is_number(factor.value)
+                ends_at_space = (is_bracket or is_number(factor.value)) and self.is_spaced
+                is_unambiguous = is_typed_fraction or ends_at_space
                 factors.append(_power(factor.value, sp.S.NegativeOne))
                 shown = bare = _fraction(shown, bare, factor)
             else:
-                reach_is_clear = reach_is_clear or sign == "*"
+                is_unambiguous = is_unambiguous or sign == "*"
                 factors.append(factor.value)
                 shown = bare = _side_by_side(shown, factor.unsigned)
         return _Part(sp.Mul(*factors, evaluate=False), shown, bare)
 
     def factor(self) -> _Part:
-        negative = False
+        is_negative = False
         while self.next in ("+", "-"):
-            negative ^= self.take() == "-"
+            if self.take() == "-":
+                is_negative = not is_negative
         factor = self.primary()
         if self.next == "^":
             self.take()
             exponent, shown = self.exponent()
             factor = _Part(_power(factor.value, exponent), f"{factor.base}^{{{shown}}}")
-        return _Part(_negative(factor.value), f"- {factor.shown}") if negative else factor
+        return _Part(_negative(factor.value), f"- {factor.shown}") if is_negative else factor
 
     def exponent(self) -> tuple[sp.Rational, str]:
         part = self._nested(self.factor)
-        typed = part.value
-        parts = leaves(typed)
-        # Nested exponents have passed the check below, so the evaluation is cheap.
-        numbers = {part: sp.Rational(str(part)) for part in parts if is_number(part)}
-        exponent = replaced(typed, numbers).doit() if len(numbers) == len(parts) else sp.nan
+        typed_leaves = leaves(part.value)
+        numbers = {leaf: sp.Rational(str(leaf)) for leaf in typed_leaves if is_number(leaf)}
+        has_only_numbers = len(numbers) == len(typed_leaves)
+        # Exponents in this exponent have already passed the check below, so the evaluation is cheap.
+        exponent = replace_letters(part.value, numbers).doit() if has_only_numbers else sp.nan
         if not exponent.is_Rational or abs(exponent) > MAX_EXPONENT or exponent.q > 2:
             limits = _("An exponent must be an integer or half an integer, from −{most} to {most}.")
             raise UnreadableError(limits.format(most=MAX_EXPONENT))
@@ -203,27 +218,29 @@ class _Reader:
             inside = self._nested(self.sum)
             if self.take() != ")":
                 raise UnreadableError(_("There is an opening bracket without a closing bracket."))
-            self._not_a_number(_("A number follows a bracket. Put it in front, or write ^ for a power."))
-            return _Part(inside.value, _bracketed(inside.bare), inside.bare)
+            self._refuse_number(_("A number follows a bracket. Put it in front, or write ^ for a power."))
+            return _Part(inside.value, _add_brackets(inside.bare), inside.bare)
         if isinstance(token, sp.Expr):
-            self._not_a_number(_("A number follows a name. Put it in front, or write ^ for a power."))
+            self._refuse_number(_("A number follows a name. Put it in front, or write ^ for a power."))
             return _Part(token, latex(token))
         if token is None:
             raise UnreadableError(_("The formula is not complete: something is missing at its end."))
         raise UnreadableError(_("Something is missing between two signs or brackets."))
 
     def root(self) -> _Part:
-        bracketed = self.next == "("
+        is_bracket = self.next == "("
         under = self._nested(self.primary)
-        if not bracketed and not self.spaced and self._starts_a_factor():
+        if not is_bracket and not self.is_spaced and self._starts_a_factor():
             raise UnreadableError(_("Where does the root end? Put what is under it in brackets."))
         return _Part(_power(under.value, sp.S.Half), rf"\sqrt{{{under.bare}}}")
 
-    def _not_a_number(self, refusal: str) -> None:
-        if is_number(self.next) and not self.spaced:
+    def _refuse_number(self, refusal: str) -> None:
+        """Raise an error with this message if a number follows without a space."""
+        if is_number(self.next) and not self.is_spaced:
             raise UnreadableError(refusal)
 
     def _nested(self, read: Callable[[], _Part]) -> _Part:
+        """Return the part that `read` returns, one level deeper."""
         self._depth += 1
         if self._depth > MAX_DEPTH:
             levels = _("Brackets, roots and exponents may be nested at most {most} levels deep.")
@@ -244,13 +261,20 @@ def _power(base: sp.Expr, exponent: sp.Rational) -> sp.Expr:
     return sp.Pow(base, exponent, evaluate=False)
 
 
-def _bracketed(shown: str) -> str:
+def _add_brackets(shown: str) -> str:
     return rf"\left({shown}\right)"
 
 
 def _fraction(above: str, bare: str, below: _Part) -> str:
-    """Return a fraction as LaTeX, from its numerator with and without brackets; a minus sign moves to its front."""
-    sign, unsigned = ("- ", bare[2:]) if above.startswith("- ") else ("", bare)
+    """Return a fraction as LaTeX. A minus sign of the numerator is written before the fraction.
+
+    Parameters
+    ----------
+    above, bare : the numerator with its outer brackets, and without them
+    below : the denominator
+    """
+    sign = "- " if above.startswith("- ") else ""
+    unsigned = bare.removeprefix(sign)
     return rf"{sign}\frac{{{unsigned}}}{{{below.bare}}}"
 
 

@@ -6,14 +6,14 @@ import sympy as sp
 
 from ramanujan.answers import terms, values
 from ramanujan.answers.differences import Difference, difference_between
-from ramanujan.answers.formulas import leaves, length, replaced
+from ramanujan.answers.formulas import leaves, length, replace_letters
 from ramanujan.answers.grammar import parse, parse_equation
 from ramanujan.answers.questions import EQUATION, QUESTIONS, Question
 from ramanujan.answers.questions import question as question_named
 from ramanujan.answers.spelling import SYMBOLS, TEXTBOOK, UnknownNameError, UnreadableError
 from ramanujan.translation import _, ngettext
 
-_OF_SLIPS, _OF_BODIES = 3, 5
+_DIGITS_FOR_SLIPS, _DIGITS_FOR_BODIES = 3, 5
 """A decimal needs this many significant digits to be compared with the results of slips, and of wrong bodies."""
 
 _HALF = 0.5
@@ -48,10 +48,10 @@ def judge(question: str, text: str) -> Verdict:
 def _judge_formula(question: Question, text: str) -> Verdict:
     try:
         typed = _parse(question, text)
-        letters = _letters_in(typed)
-        return _compare(question, _without_letters(question, typed), letters)
+        letters = _find_letters(typed)
+        return _compare(question, _replace_letters(question, typed), letters)
     except UnknownNameError as error:
-        may_use = _("You may use {names} and sqrt( ).").format(names=", ".join(question.accepted) or _("numbers"))
+        may_use = _("You may use {names} and sqrt( ).").format(names=", ".join(question.accepted_names) or _("numbers"))
         return Verdict("unreadable", f"{error} {may_use}")
     except UnreadableError as error:
         return Verdict("unreadable", str(error))
@@ -66,76 +66,86 @@ def _parse(question: Question, text: str) -> sp.Expr:
     if question.kind != EQUATION:
         return parse(text)
     left, right = parse_equation(text)
-    return sp.Add(left, sp.Mul(-1, right, evaluate=False), evaluate=False) if right else left
+    if right == 0:
+        return left
+    return sp.Add(left, sp.Mul(-1, right, evaluate=False), evaluate=False)
 
 
-def _letters_in(typed: sp.Expr) -> list[sp.Symbol]:
+def _find_letters(typed: sp.Expr) -> list[sp.Symbol]:
     return [letter for letter in TEXTBOOK.values() if letter in leaves(typed)]
 
 
-def _without_letters(question: Question, typed: sp.Expr) -> sp.Expr:
+def _replace_letters(question: Question, typed: sp.Expr) -> sp.Expr:
     """Replace v, I, ω and x by their meanings.
 
     Raises
     ------
     UnreadableError : the question does not use one of the letters.
     """
-    for letter in _letters_in(typed):
+    for letter in _find_letters(typed):
         if letter not in question.letters:
-            refusal = _("Type only the right side of the equation: a formula without Ω.")
-            raise UnreadableError(refusal) if letter == TEXTBOOK["omega"] else UnknownNameError(letter.name)
-    return replaced(typed, {letter: meaning for letter, (meaning, _next) in question.letters.items()})
+            if letter == TEXTBOOK["omega"]:
+                raise UnreadableError(_("Type only the right side of the equation: a formula without Ω."))
+            raise UnknownNameError(letter.name)
+    meanings = {letter: meaning for letter, (meaning, _next_question) in question.letters.items()}
+    return replace_letters(typed, meanings)
 
 
 def _compare(question: Question, typed: sp.Expr, letters: list[sp.Symbol]) -> Verdict:
-    given, right = question.values(typed), question.right_values
-    if not values.agree(given, right):
+    given = question.evaluate(typed)
+    if not values.agree(given, question.right_values):
         if _has_denominator(question, typed):
             return Verdict("unsimplified", _("Right so far! What do you get if you multiply by the denominator?"))
-        return Verdict("wrong", " ".join(_advice(question, typed, given)))
+        return Verdict("wrong", " ".join(_explain(question, typed, given)))
     if letters:
-        next_questions = (question.letters[letter][1] for letter in letters)
-        return Verdict("unsimplified", " ".join([_("Right so far!"), *next_questions]))
+        sentences = [_("Right so far!")]
+        for letter in letters:
+            _meaning, next_question = question.letters[letter]
+            sentences.append(next_question)
+        return Verdict("unsimplified", " ".join(sentences))
     used = leaves(typed)
     needless = [name for name, symbol in SYMBOLS.items() if symbol in used and name not in question.names]
     if needless:
         sentence = _("Right! The formula can be written without {names}.")
-        return Verdict("unsimplified", sentence.format(names=terms.listed(needless)))
-    if not (question.any_form or question.kind == EQUATION) and length(typed) > question.longest_form:
+        return Verdict("unsimplified", sentence.format(names=terms.join_names(needless)))
+    may_be_long = question.any_form or question.kind == EQUATION
+    if not may_be_long and length(typed) > question.longest_form:
         return Verdict("unsimplified", _("Right! The formula can be written shorter."))
     return Verdict("right", _("Right!"))
 
 
 def _has_denominator(question: Question, typed: sp.Expr) -> bool:
-    """Return whether an equation is the right one divided by an expression in its variables."""
+    """Return whether an equation becomes the right one if it is multiplied by its denominator."""
     if question.kind != EQUATION:
         return False
     try:
-        numerator = terms.FIELD(question.terms(typed).numer)
+        numerator = terms.FIELD(question.to_fraction(typed).numer)
     except terms.NotComparableError:
         return False
     factor = terms.names_in(numerator / question.right_terms)
     return bool(numerator) and factor.isdisjoint(question.variables)
 
 
-def _advice(question: Question, typed: sp.Expr, given: values.Values) -> list[str]:
+def _explain(question: Question, typed: sp.Expr, given: values.Values) -> list[str]:
     """Return sentences about a wrong answer, the last one with the next question.
 
     The first explanation wins: a known slip, a rounded number, a difference of the whole formula, or wrong bodies.
     Without one, the sentences are about the unit, the names and the single terms.
     """
-    if not any(given):
-        zero = _("Both sides of your equation are equal.") if question.kind == EQUATION else _("Your answer is zero.")
-        return [zero, question.next_question]
-    hint = _first_hint(question.slips, given) or _rounded(question, typed)
+    is_zero = not any(given)
+    if is_zero and question.kind == EQUATION:
+        return [_("Both sides of your equation are equal."), question.next_question]
+    if is_zero:
+        return [_("Your answer is zero."), question.next_question]
+    hint = _first_hint(question.slips, given) or _explain_rounding(question, typed)
     if hint:
         return [hint]
-    difference = _difference(question, typed, given)
+    difference = _find_difference(question, typed, given)
     if not _is_explained(question, difference):
-        hint = _wrong_bodies(question, given)
+        hint = _explain_wrong_bodies(question, given)
         if hint:
             return [hint]
-    return _account(question, typed, difference)
+    return _explain_difference(question, typed, difference)
 
 
 def _is_explained(question: Question, difference: Difference) -> bool:
@@ -149,10 +159,12 @@ def _is_explained(question: Question, difference: Difference) -> bool:
     return difference.is_slip and not question.of_one_body
 
 
-def _account(question: Question, typed: sp.Expr, difference: Difference) -> list[str]:
+def _explain_difference(question: Question, typed: sp.Expr, difference: Difference) -> list[str]:
     """Return sentences about the unit, the names and the terms of a wrong answer, then the next question."""
-    faults = [] if difference.is_whole else [_wrong_unit(question, typed), _foreign_names(question, typed)]
-    sentences = [fault for fault in faults if fault]
+    sentences = []
+    if not difference.is_whole:
+        faults = (_explain_wrong_unit(question, typed), _explain_foreign_names(question, typed))
+        sentences = [fault for fault in faults if fault]
     # If the unit of the whole formula is wrong, every term is wrong, and a list of terms does not help.
     if difference.term is not None or not sentences:
         sentences += difference.sentences
@@ -160,7 +172,7 @@ def _account(question: Question, typed: sp.Expr, difference: Difference) -> list
     return [*sentences, difference.next_question or next_of_term]
 
 
-def _difference(question: Question, typed: sp.Expr, given: values.Values) -> Difference:
+def _find_difference(question: Question, typed: sp.Expr, given: values.Values) -> Difference:
     try:
         return difference_between(question, typed, given)
     except terms.NotComparableError as error:
@@ -171,41 +183,44 @@ def _first_hint(mistakes: values.Mistakes, given: values.Values) -> str | None:
     return next((hint for hint, wrong in mistakes if values.agree(given, wrong)), None)
 
 
-def _wrong_bodies(question: Question, given: values.Values) -> str | None:
+def _explain_wrong_bodies(question: Question, given: values.Values) -> str | None:
+    """Return the hint at a wrong body, None if no wrong body explains the answer."""
     hint = _first_hint(question.altered, given)
-    if hint is None and question.of_one_body:
-        hint = _first_hint(question.altered, tuple(value / 2 for value in given))
-        return hint and _("{hint} A factor ½ is missing as well.").format(hint=hint)
-    return hint
+    if hint or not question.of_one_body:
+        return hint
+    hint_without_half = _first_hint(question.altered, tuple(value / 2 for value in given))
+    if hint_without_half:
+        return _("{hint} A factor ½ is missing as well.").format(hint=hint_without_half)
+    return None
 
 
-def _rounded(question: Question, typed: sp.Expr) -> str | None:
+def _explain_rounding(question: Question, typed: sp.Expr) -> str | None:
     """Return a hint if a decimal number in the answer is a rounded exact number, else None."""
-    numbers = values.decimals(typed)
+    numbers = values.find_decimals(typed)
     if not numbers or question.kind == EQUATION:
         return None
-    units = values.units_off(typed, question.right_values)
+    units = values.rounding_error(typed, question.right_values)
     if units is not None:
         if units <= _HALF:
             return _("An exact number agrees with your decimal number to the last digit. What is the exact number?")
         return _("The last digit of your decimal number is off by one unit. What is the exact number?")
-    return _rounded_mistake(question, typed, min(map(_significant_digits, numbers)))
+    return _explain_rounded_mistake(question, typed, min(map(_significant_digits, numbers)))
 
 
 def _significant_digits(decimal: sp.Symbol) -> int:
     return len(decimal.name.replace(".", "").lstrip("0"))
 
 
-def _rounded_mistake(question: Question, typed: sp.Expr, digits: int) -> str | None:
+def _explain_rounded_mistake(question: Question, typed: sp.Expr, digits: int) -> str | None:
     """Return the hint if the decimal number is the rounded result of exactly one mistake, else None."""
     mistakes: list[tuple[str, values.Values]] = []
-    if digits >= _OF_SLIPS:
+    if digits >= _DIGITS_FOR_SLIPS:
         mistakes += question.slips
-    if digits >= _OF_BODIES:
+    if digits >= _DIGITS_FOR_BODIES:
         mistakes += question.altered
     hints = []
     for hint, wrong in mistakes:
-        units = values.units_off(typed, wrong)
+        units = values.rounding_error(typed, wrong)
         if units is not None and units <= _HALF:
             hints.append(hint)
     if len(hints) == 1:
@@ -213,7 +228,7 @@ def _rounded_mistake(question: Question, typed: sp.Expr, digits: int) -> str | N
     return None
 
 
-def _foreign_names(question: Question, typed: sp.Expr) -> str | None:
+def _explain_foreign_names(question: Question, typed: sp.Expr) -> str | None:
     """Return a sentence about the names that do not belong in the answer, None if there are none."""
     expected = leaves(question.right)
     others = {name: symbol for name, symbol in SYMBOLS.items() if name != "eps" and symbol not in expected}
@@ -223,21 +238,23 @@ def _foreign_names(question: Question, typed: sp.Expr) -> str | None:
         return None
     if question.name == "potential_energy" and foreign in (["X"], ["Phi"]):
         spring = _("Your answer depends on {name}, but {name} does not deform the spring.")
-        return spring.format(name=terms.listed(foreign))
+        return spring.format(name=terms.join_names(foreign))
     sentence = ngettext(
         "Your answer depends on {names}, but {quantity} does not depend on it.",
         "Your answer depends on {names}, but {quantity} does not depend on them.",
         len(foreign),
     )
-    return sentence.format(names=terms.listed(foreign), quantity=question.quantity)
+    return sentence.format(names=terms.join_names(foreign), quantity=question.quantity)
 
 
-def _wrong_unit(question: Question, typed: sp.Expr) -> str | None:
+def _explain_wrong_unit(question: Question, typed: sp.Expr) -> str | None:
     """Return a sentence about a wrong unit of the answer, None if the unit is right."""
-    right, quantity = values.unit(question.right), question.quantity
+    right = values.unit(question.right)
+    quantity = question.quantity
     try:
         unit = values.unit(typed)
     except values.DifferentUnitsError as error:
+        # The unit of a plain number is empty.
         one, other = error.args
         if not (one and other):
             return _("You add a plain number to a term with the unit {unit}.").format(unit=one or other)

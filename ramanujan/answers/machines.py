@@ -59,7 +59,7 @@ class Mistake:
     id : the id
     hint : a sentence and the next question, with slots for the {body} and its {mass}, {angle} or {shape}
     groups : the bodies and groups of bodies about which one can make the mistake
-    change : takes a body, returns its wrong attributes
+    change : function (body) → its wrong attributes
     example : the name of a question, and a wrong answer with this mistake
     """
 
@@ -91,12 +91,15 @@ class Altered:
     @property
     def hint(self) -> str:
         """The hint, with its slots filled."""
-        body = self.machine[self.group.split()[-1]]
+        # A hint about a group mentions only properties that its bodies share, so any body of the group will do.
+        *_others, last = self.group.split()
+        body = self.machine[last]
+        shape_name, _example = _SHAPES.get(body.shape_factor, ("", None))
         return self.mistake.hint.format(
             body=_GROUPS[self.group],
             mass="m" if body.mass == m else "m′",
             angle="φ" if body.displacement.has(phi) else "Φ",
-            shape=_SHAPES.get(body.shape_factor, ("",))[0],
+            shape=shape_name,
         )
 
 
@@ -202,7 +205,7 @@ MISTAKES = (
 
 @cache
 def altered_machines() -> tuple[Altered, ...]:
-    """Return the machine of each mistake about each group of bodies, without those equal to the right machine."""
+    """Return the machine of each mistake about each group of bodies, unless it equals the right machine."""
     machines = []
     for mistake in MISTAKES:
         for group in mistake.groups:
@@ -222,9 +225,10 @@ def common_hint(alternatives: Sequence[Altered]) -> str | None:
 
     If their groups contain each other, the hint is about the smallest group. The other bodies do not affect the result.
     """
-    least = min(alternatives, key=lambda altered: len(altered.bodies))
-    if all(altered.mistake is least.mistake and least.bodies <= altered.bodies for altered in alternatives):
-        return least.hint
+    smallest = min(alternatives, key=lambda altered: len(altered.bodies))
+    has_same_mistake = all(altered.mistake is smallest.mistake for altered in alternatives)
+    if has_same_mistake and all(smallest.bodies <= altered.bodies for altered in alternatives):
+        return smallest.hint
     lower_rollers = frozenset(_LOWER.split())
     if all(altered.mistake.is_of_inertia and altered.bodies <= lower_rollers for altered in alternatives):
         return _("You get this result with other moments of inertia of the lower rollers. What are they?")
@@ -249,8 +253,8 @@ def mass_matrix(bodies: Machine) -> tuple[tuple[sp.Expr, ...], ...]:
     def entry(i: int, j: int) -> sp.Expr:
         return sp.Add(*(inertia * gradient[i] * gradient[j] for inertia, gradient in gradients))
 
-    indices = range(len(COORDINATES))
-    return tuple(tuple(entry(i, j) for j in indices) for i in indices)
+    size = len(COORDINATES)
+    return tuple(tuple(entry(i, j) for j in range(size)) for i in range(size))
 
 
 @cache
@@ -278,10 +282,10 @@ def solve(name: str, bodies: Machine, factors: Mapping[tuple[int, int], int] = M
     matrix[2][2] = matrix[2][2] or _DOMAIN.one
     stiffness = _in_units(k * _gradient(bodies.deformation)[1] ** 2)
     try:
-        column = DomainMatrix(matrix, (3, 3), _DOMAIN).lu_solve(_FORCE_ON_PHI).to_list_flat()
+        column = DomainMatrix(matrix, (3, 3), _DOMAIN).lu_solve(_FORCE_ON_PHI)
     except DMNonInvertibleMatrixError:
         return None
-    X_entry, phi_entry, Phi_entry = column
+    X_entry, phi_entry, Phi_entry = column.to_list_flat()
     if name == "block_coupling":
         return _quotient(X_entry, phi_entry, R)
     if name == "top_coupling":
@@ -290,15 +294,16 @@ def solve(name: str, bodies: Machine, factors: Mapping[tuple[int, int], int] = M
         # The question writes the last term of the equation as 4kRφ.
         return _quotient(4 * matrix[1][1], stiffness, m * R)
     if name in ("unit_quadratic", "unit_mass_ratio"):
-        return _condition(name, stiffness * phi_entry)
+        return _solve_condition(name, stiffness * phi_entry)
     return k / m * (stiffness * phi_entry).as_expr()
 
 
 def _quotient(numerator: FracElement, denominator: FracElement, unit: sp.Expr) -> sp.Expr | None:
+    """Return a quotient times its unit, None if it divides by zero."""
     return unit * (numerator / denominator).as_expr() if denominator else None
 
 
-def _condition(name: str, squared: FracElement) -> sp.Expr | None:
+def _solve_condition(name: str, squared: FracElement) -> sp.Expr | None:
     """Return the quadratic equation for Ω² = k/m, or its positive root."""
     condition = (squared.denom - squared.numer).as_expr().as_poly(epsilon)
     if condition.degree() != 2:
@@ -310,10 +315,14 @@ def _condition(name: str, squared: FracElement) -> sp.Expr | None:
 
 
 def _in_units(expression: sp.Expr) -> FracElement:
+    """Return an expression in units of m, k and R, with ε for m′."""
     return _DOMAIN.from_sympy(sp.sympify(expression).xreplace(_UNITS))
 
 
 def positive_root(condition: sp.Poly) -> sp.Expr | None:
     """Return the positive root of a quadratic, None unless exactly one root is positive."""
     a, b, c = condition.all_coeffs()
-    return (sp.sqrt(b**2 - 4 * a * c) / abs(a) - b / a) / 2 if a * c < 0 else None
+    has_one_positive_root = a * c < 0
+    if not has_one_positive_root:
+        return None
+    return (sp.sqrt(b**2 - 4 * a * c) / abs(a) - b / a) / 2

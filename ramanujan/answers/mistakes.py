@@ -166,7 +166,7 @@ class Slip(NamedTuple):
 Slips = Iterator[Slip]
 
 
-def _slip(id: str, example: str, *results: sp.Expr | None, **slots: object) -> Slip:
+def _fill_slip(id: str, example: str, *results: sp.Expr | None, **slots: object) -> Slip:
     return Slip(id, HINTS[id].format(**slots), example, results)
 
 
@@ -177,7 +177,7 @@ def elimination() -> Elimination:
 
 def no_radius(right: sp.Expr) -> Slip:
     """Return the slip of leaving out R."""
-    return _slip("no_radius", "½m'(φ'-X')²+½m'φ'²", right.subs(R, 1))
+    return _fill_slip("no_radius", "½m'(φ'-X')²+½m'φ'²", right.subs(R, 1))
 
 
 # Energies
@@ -186,32 +186,35 @@ def no_radius(right: sp.Expr) -> Slip:
 def energy(name: str) -> Slips:
     """Yield the slips in the kinetic energy of one body."""
     body = machines.right_machine()[name]
-    whole, travel, spin = sp.expand(body.kinetic_energy), body.translation, body.rotation
-    squares = [term for term in sp.Add.make_args(whole) if sum(term.has(rate) for rate in VELOCITIES) == 1]
-    yield _slip("no_mixed_term", "½m'(R²φ'²+X'²)+½m'R²φ'²", sp.Add(*squares))
+    whole = sp.expand(body.kinetic_energy)
+    translation, rotation = body.translation, body.rotation
+    squares = [term for term in sp.Add.make_args(whole) if len(term.atoms(sp.Derivative)) == 1]
+    yield _fill_slip("no_mixed_term", "½m'(R²φ'²+X'²)+½m'R²φ'²", sp.Add(*squares))
     # Without the square, the sign of the velocity depends on the positive direction, which the student chooses.
-    momentum, turning = body.mass * body.velocity, body.moment_of_inertia * body.angle.diff(t)
-    yield _slip("velocity_not_squared", "½mX'", (turning + momentum) / 2, (turning - momentum) / 2)
-    yield _slip("no_half_of_energy", "mX'²", 2 * whole)
-    if not spin:
+    momentum = body.mass * body.velocity
+    angular_momentum = body.moment_of_inertia * body.angle.diff(t)
+    results = (angular_momentum + momentum) / 2, (angular_momentum - momentum) / 2
+    yield _fill_slip("velocity_not_squared", "½mX'", *results)
+    yield _fill_slip("no_half_of_energy", "mX'²", 2 * whole)
+    if rotation == 0:
         return
-    yield _slip("no_half_of_translation", "m'(Rφ'-X')²+½m'R²φ'²", 2 * travel + spin)
-    yield _slip("rotation_twice", "½m'(Rφ'-X')²+m'R²φ'²", whole + spin)
+    yield _fill_slip("no_half_of_translation", "m'(Rφ'-X')²+½m'R²φ'²", 2 * translation + rotation)
+    yield _fill_slip("rotation_twice", "½m'(Rφ'-X')²+m'R²φ'²", whole + rotation)
     # For a hoop the difference contains no φ′², so it equals an answer in which that term is missing.
     if body.shape_factor != 1:
-        yield _slip("energies_subtracted", "½m'(Rφ'-X')²-¼m'R²φ'²", travel - spin, spin - travel)
-    yield _slip("rotation_alone", "½m'R²φ'²", spin, body=machines.BODY_NAMES[name])
+        yield _fill_slip("energies_subtracted", "½m'(Rφ'-X')²-¼m'R²φ'²", translation - rotation, rotation - translation)
+    yield _fill_slip("rotation_alone", "½m'R²φ'²", rotation, body=machines.BODY_NAMES[name])
 
 
 def spring() -> Slips:
     """Yield the slips in the energy of the spring."""
     bodies = machines.right_machine()
     path, block = bodies.deformation, bodies["block"].displacement
-    yield _slip("no_half_of_spring", "k(2Rφ)²", k * path**2)
-    yield _slip("deformation_not_squared", "½k·2Rφ", k * path / 2)
-    yield _slip("spring_to_ground", "½k(2Rφ-X)²", k * (path + block) ** 2 / 2)
-    yield _slip("block_added", "½k(2Rφ+X)²", k * (path - block) ** 2 / 2)
-    yield _slip("spring_to_centres", "½k(Rφ)²", k * (bodies["hoop"].displacement - block) ** 2 / 2)
+    yield _fill_slip("no_half_of_spring", "k(2Rφ)²", k * path**2)
+    yield _fill_slip("deformation_not_squared", "½k·2Rφ", k * path / 2)
+    yield _fill_slip("spring_to_ground", "½k(2Rφ-X)²", k * (path + block) ** 2 / 2)
+    yield _fill_slip("block_added", "½k(2Rφ+X)²", k * (path - block) ** 2 / 2)
+    yield _fill_slip("spring_to_centres", "½k(Rφ)²", k * (bodies["hoop"].displacement - block) ** 2 / 2)
 
 
 # The Lagrangian, and the equations that follow from it
@@ -221,8 +224,8 @@ def lagrangian(right: sp.Expr) -> Slips:
     """Yield the slips in the Lagrangian: in the sign of U and in U itself."""
     stored = machines.right_machine().potential_energy
     kinetic = "½(3m+2m')X'² + ¼(8m+7m')R²φ'² + ¾mR²Φ'² - 2(m+m')RX'φ' - mRX'Φ'"
-    yield _slip("potential_energy_added", f"{kinetic} + 2kR²φ²", right + 2 * stored)
-    yield _slip("kinetic_energy_alone", kinetic, right + stored)
+    yield _fill_slip("potential_energy_added", f"{kinetic} + 2kR²φ²", right + 2 * stored)
+    yield _fill_slip("kinetic_energy_alone", kinetic, right + stored)
     for slip in spring():
         yield slip._replace(results=tuple(right + stored - wrong for wrong in slip.results))
 
@@ -230,24 +233,24 @@ def lagrangian(right: sp.Expr) -> Slips:
 def momentum(right: sp.Expr) -> Slips:
     """Yield the slips in p_X."""
     rate = VELOCITIES[0]
-    yield from _of_other_coordinates("other_momentum", "(3/2)mR²Φ' - mRX'", elimination().momenta)
+    yield from _coordinate_slips("other_momentum", "(3/2)mR²Φ' - mRX'", elimination().momenta)
     half_as_much = right - right.coeff(rate) * rate / 2
-    yield _slip("no_2_of_derivative", "½(3m+2m')X' - 2(m+m')Rφ' - mRΦ'", half_as_much)
-    yield _slip("block_alone", "mX'", m * rate)
+    yield _fill_slip("no_2_of_derivative", "½(3m+2m')X' - 2(m+m')Rφ' - mRΦ'", half_as_much)
+    yield _fill_slip("block_alone", "mX'", m * rate)
 
 
 def block_equation(right: sp.Expr) -> Slips:
     """Yield the slips in the equation of motion of X."""
     of_velocities = right.xreplace(dict(zip(ACCELERATIONS, VELOCITIES, strict=True)))
-    yield _slip("momentum_is_zero", "(3m+2m')X' = 2(m+m')Rφ' + mRΦ'", of_velocities)
-    yield from _of_other_coordinates("other_equation", "(3/2)RΦ'' = X''", elimination().motion)
-    yield _slip("centres_do_not_accelerate", "X'' = Rφ''", ACCELERATIONS[0] - R * ACCELERATIONS[1])
+    yield _fill_slip("momentum_is_zero", "(3m+2m')X' = 2(m+m')Rφ' + mRΦ'", of_velocities)
+    yield from _coordinate_slips("other_equation", "(3/2)RΦ'' = X''", elimination().motion)
+    yield _fill_slip("centres_do_not_accelerate", "X'' = Rφ''", ACCELERATIONS[0] - R * ACCELERATIONS[1])
 
 
-def _of_other_coordinates(id: str, example: str, results: dict[sp.Expr, sp.Expr]) -> Slips:
+def _coordinate_slips(id: str, example: str, results: dict[sp.Expr, sp.Expr]) -> Slips:
     """Yield the slips of answering for φ or Φ instead of X."""
     for q, letter in zip(COORDINATES[1:], "φΦ", strict=True):
-        yield _slip(id, example, results[q], coordinate=letter)
+        yield _fill_slip(id, example, results[q], coordinate=letter)
 
 
 # The elimination
@@ -256,70 +259,70 @@ def _of_other_coordinates(id: str, example: str, results: dict[sp.Expr, sp.Expr]
 def coupling(name: str, right: sp.Expr) -> Slips:
     """Yield the slips in Ẍ/φ̈ or Φ̈/φ̈: guesses, the reciprocal, another quotient, and slips of the elimination."""
     if name == "block_coupling":
-        yield _slip("centres_at_rest", "R", R)
-        yield _slip("slab_at_rest", "2R", 2 * R)
+        yield _fill_slip("centres_at_rest", "R", R)
+        yield _fill_slip("slab_at_rest", "2R", 2 * R)
     else:
-        yield _slip("rollers_turn_alike", "1", sp.S.One)
-    yield _slip("reciprocal_coupling", "(7m+6m')/(4(m+m'))", 1 / right)
-    block, top = answer_of("X_from_phi"), answer_of("Phi_from_phi")
+        yield _fill_slip("rollers_turn_alike", "1", sp.S.One)
+    yield _fill_slip("reciprocal_coupling", "(7m+6m')/(4(m+m'))", 1 / right)
+    block, top = factor_in_equation("X_from_phi"), factor_in_equation("Phi_from_phi")
     quotients = {("X", "φ"): block, ("Φ", "φ"): top, ("X", "Φ"): block / top, ("Φ", "X"): top / block}
     for (above, below), quotient in quotients.items():
         if quotient != right:
             pair = {"above": above, "below": below}
-            yield _slip("other_pair", "4(m+m')/(7m+6m')", quotient, **pair)
-            yield _slip("other_pair_and_radius", "2/3", quotient * R, quotient / R, **pair)
-    yield from _of_masses(right)
-    yield from procedures(name)
+            yield _fill_slip("other_pair", "4(m+m')/(7m+6m')", quotient, **pair)
+            yield _fill_slip("other_pair_and_radius", "2/3", quotient * R, quotient / R, **pair)
+    yield from _mass_slips(right)
+    yield from elimination_slips(name)
 
 
-def answer_of(equation: str) -> sp.Expr:
+def factor_in_equation(equation: str) -> sp.Expr:
     """Return the factor of φ̈ in an equation of the elimination."""
     return getattr(elimination(), equation).coeff(phi_ddot)
 
 
 def equation(right: sp.Expr) -> Slips:
     """Yield the slips in the equation of motion of φ."""
-    yield _slip("after_insertion", "R(32m²+49mm'+18m'²)/(2(7m+6m'))", answer_of("remaining"))
-    yield _slip("times_radius", "R²(8m+7m')/2", right * R)
-    yield _slip("reciprocal_factor", "2/(R(8m+7m'))", 1 / right)
-    yield from _of_masses(right)
+    yield _fill_slip("after_insertion", "R(32m²+49mm'+18m'²)/(2(7m+6m'))", factor_in_equation("remaining"))
+    yield _fill_slip("times_radius", "R²(8m+7m')/2", right * R)
+    yield _fill_slip("reciprocal_factor", "2/(R(8m+7m'))", 1 / right)
+    yield from _mass_slips(right)
 
 
 def frequency(right: sp.Expr) -> Slips:
     """Yield the slips in Ω²."""
-    equal = right.subs(m_prime, m)
-    together = sum(body.mass for body in machines.right_machine().bodies)
-    yield _slip("square_root_of_answer", "√(8k(7m+6m')/(32m²+49mm'+18m'²))", sp.sqrt(right))
-    yield _slip("square_of_answer", "(8k(7m+6m')/(32m²+49mm'+18m'²))²", right**2)
-    yield _slip("normalized", "8m(7m+6m')/(32m²+49mm'+18m'²)", right * m / k)
-    yield _slip("plain_mass", "k/m", k / m)
-    yield _slip("block_and_slab", "2k/m", 2 * k / m)
-    yield _slip("one_large_mass", "k/(3m+2m')", k / together)
-    yield _slip("equal_masses_normalized", "104/99", equal * m / k)
-    yield _slip("root_for_equal_masses", "√(104k/(99m))", sp.sqrt(equal))
-    yield _slip("reciprocal_frequency", "(32m²+49mm'+18m'²)/(8k(7m+6m'))", 1 / right)
-    yield from _of_masses(right)
-    yield from procedures("natural_frequency_squared")
+    for_equal_masses = right.subs(m_prime, m)
+    total_mass = sum(body.mass for body in machines.right_machine().bodies)
+    yield _fill_slip("square_root_of_answer", "√(8k(7m+6m')/(32m²+49mm'+18m'²))", sp.sqrt(right))
+    yield _fill_slip("square_of_answer", "(8k(7m+6m')/(32m²+49mm'+18m'²))²", right**2)
+    yield _fill_slip("normalized", "8m(7m+6m')/(32m²+49mm'+18m'²)", right * m / k)
+    yield _fill_slip("plain_mass", "k/m", k / m)
+    yield _fill_slip("block_and_slab", "2k/m", 2 * k / m)
+    yield _fill_slip("one_large_mass", "k/(3m+2m')", k / total_mass)
+    yield _fill_slip("equal_masses_normalized", "104/99", for_equal_masses * m / k)
+    yield _fill_slip("root_for_equal_masses", "√(104k/(99m))", sp.sqrt(for_equal_masses))
+    yield _fill_slip("reciprocal_frequency", "(32m²+49mm'+18m'²)/(8k(7m+6m'))", 1 / right)
+    yield from _mass_slips(right)
+    yield from elimination_slips("natural_frequency_squared")
 
 
-def _of_masses(right: sp.Expr) -> Slips:
+def _mass_slips(right: sp.Expr) -> Slips:
     """Yield an answer for equal masses, and answers with m and m′ interchanged."""
-    yield _slip("equal_masses", "12R/13", right.subs(m_prime, m), right.subs(m, m_prime))
+    yield _fill_slip("equal_masses", "12R/13", right.subs(m_prime, m), right.subs(m, m_prime))
     numerator, denominator = sp.fraction(right)
     interchange = {m: m_prime, m_prime: m}
     wrong_numerator, wrong_denominator = numerator.xreplace(interchange), denominator.xreplace(interchange)
     results = wrong_numerator / denominator, numerator / wrong_denominator, wrong_numerator / wrong_denominator
-    yield _slip("masses_interchanged", "6R(m+m')/(6m+7m')", *results)
+    yield _fill_slip("masses_interchanged", "6R(m+m')/(6m+7m')", *results)
 
 
-def procedures(name: str) -> Slips:
+def elimination_slips(name: str) -> Slips:
     """Yield the slips in the elimination; each multiplies one entry of the mass matrix by a factor."""
     solve = partial(machines.solve, name, machines.right_machine())
     # The rows and columns 0, 1 and 2 belong to X, φ and Φ.
-    yield _slip("no_top_in_block_equation", "2(m+m')R/(3m+2m')", solve({(0, 2): 0}))
-    yield _slip("block_stands_still", "8k/(8m+7m')", solve({(1, 0): 0}))
+    yield _fill_slip("no_top_in_block_equation", "2(m+m')R/(3m+2m')", solve({(0, 2): 0}))
+    yield _fill_slip("block_stands_still", "8k/(8m+7m')", solve({(1, 0): 0}))
     for letter, row in (("Φ", 2), ("X", 1)):
-        yield _slip("wrong_sign_inserted", "6R(m+m')/(11m+6m')", solve({(row, 0): -1}), q=letter)
+        yield _fill_slip("wrong_sign_inserted", "6R(m+m')/(11m+6m')", solve({(row, 0): -1}), q=letter)
 
 
 # The mass ratio
@@ -330,40 +333,40 @@ def ratio() -> Slips:
     condition = unit_frequency_condition()
     (a, b, c), discriminant = condition.quadratic.all_coeffs(), condition.discriminant
     root = sp.sqrt(discriminant)
-    yield _slip("other_root", "(-√1729-1)/36", (-b - root) / (2 * a))
-    yield _slip("sign_of_b", "(√1729+1)/36", (b + root) / (2 * a))
-    yield _slip("inverse_ratio", "36/(√1729-1)", 1 / condition.root)
-    yield _slip("no_square_root", "(1729-1)/36", (discriminant - b) / (2 * a))
-    yield _slip("no_linear_term", "√(24/18)", sp.sqrt(-c / a))
-    yield _slip("only_one_term_divided", "√1729-1/36", root - b / (2 * a), root / (2 * a) - b)
-    yield _slip("divided_by_a", "(√1729-1)/18", (root - b) / a)
-    yield _slip("no_b", "√1729/36", root / (2 * a))
-    yield _slip("no_b_squared", "(√1728-1)/36", (sp.sqrt(-4 * a * c) - b) / (2 * a))
-    yield _slip("no_4_under_root", "(√433-1)/36", (sp.sqrt(b**2 - a * c) - b) / (2 * a))
-    for slip in _sides():
+    yield _fill_slip("other_root", "(-√1729-1)/36", (-b - root) / (2 * a))
+    yield _fill_slip("sign_of_b", "(√1729+1)/36", (b + root) / (2 * a))
+    yield _fill_slip("inverse_ratio", "36/(√1729-1)", 1 / condition.root)
+    yield _fill_slip("no_square_root", "(1729-1)/36", (discriminant - b) / (2 * a))
+    yield _fill_slip("no_linear_term", "√(24/18)", sp.sqrt(-c / a))
+    yield _fill_slip("only_one_term_divided", "√1729-1/36", root - b / (2 * a), root / (2 * a) - b)
+    yield _fill_slip("divided_by_a", "(√1729-1)/18", (root - b) / a)
+    yield _fill_slip("no_b", "√1729/36", root / (2 * a))
+    yield _fill_slip("no_b_squared", "(√1728-1)/36", (sp.sqrt(-4 * a * c) - b) / (2 * a))
+    yield _fill_slip("no_4_under_root", "(√433-1)/36", (sp.sqrt(b**2 - a * c) - b) / (2 * a))
+    for slip in _condition_slips():
         roots = (machines.positive_root(sp.Poly(wrong, epsilon)) for wrong in slip.results)
         yield slip._replace(results=tuple(roots))
-    yield from procedures("unit_mass_ratio")
+    yield from elimination_slips("unit_mass_ratio")
 
 
 def quadratic(right: sp.Expr) -> Slips:
     """Yield the slips in the quadratic equation for the unit mass ratio."""
-    yield _slip("no_term_in_ratio", "18ε² = 24", right - right.coeff(epsilon) * epsilon)
+    yield _fill_slip("no_term_in_ratio", "18ε² = 24", right - right.coeff(epsilon) * epsilon)
     of_inverse = sp.expand(right.subs(epsilon, 1 / epsilon) * epsilon**2)
-    yield _slip("equation_of_inverse", "24ε² = ε + 18", of_inverse)
-    yield from _sides()
-    yield from procedures("unit_quadratic")
+    yield _fill_slip("equation_of_inverse", "24ε² = ε + 18", of_inverse)
+    yield from _condition_slips()
+    yield from elimination_slips("unit_quadratic")
 
 
-def _sides() -> Slips:
+def _condition_slips() -> Slips:
     """Yield the slips between Ω²m/k = 1 and the quadratic: in signs, and in the product in the numerator."""
     above, below = sp.fraction(unit_frequency_condition().normalized_frequency_squared)
-    yield _slip("sides_added", "18ε² + 97ε + 88 = 0", below + above)
+    yield _fill_slip("sides_added", "18ε² + 97ε + 88 = 0", below + above)
     terms = sp.expand(above).as_ordered_terms()
     for term in terms:
         shown = str(term).replace("*varepsilon", "ε")
-        yield _slip("sign_kept", "18ε² + 97ε - 24 = 0", below - sum(terms) + 2 * term, term=shown)
+        yield _fill_slip("sign_kept", "18ε² + 97ε - 24 = 0", below - sum(terms) + 2 * term, term=shown)
     factor, inner = above.as_content_primitive()
-    yield _slip("no_factor_of_numerator", "18ε² + 43ε + 25 = 0", below - inner, factor=factor)
+    yield _fill_slip("no_factor_of_numerator", "18ε² + 43ε + 25 = 0", below - inner, factor=factor)
     one_term = (below - inner - (factor - 1) * term for term in inner.as_ordered_terms())
-    yield _slip("only_one_term_multiplied", "18ε² + 49ε + 32 = 8·7 + 6ε", *one_term)
+    yield _fill_slip("only_one_term_multiplied", "18ε² + 49ε + 32 = 8·7 + 6ε", *one_term)

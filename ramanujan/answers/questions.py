@@ -5,7 +5,6 @@ new question is one entry of `_ALL`; its slips are optional and belong in `mista
 """
 
 from collections.abc import Callable, Mapping
-from contextlib import suppress
 from dataclasses import dataclass, field
 from functools import cached_property, partial
 
@@ -13,12 +12,12 @@ import sympy as sp
 from sympy.polys.fields import FracElement
 
 from ramanujan.answers import machines, mistakes
-from ramanujan.answers.formulas import leaves, length, without_signs
+from ramanujan.answers.formulas import leaves, length, remove_signs
 from ramanujan.answers.machines import BODY_NAMES, Altered
 from ramanujan.answers.mistakes import Slip, Slips, elimination
 from ramanujan.answers.spelling import MOTION, SYMBOLS, TEXTBOOK
-from ramanujan.answers.terms import NAMES, Compared, exact
-from ramanujan.answers.values import Mistakes, Values, agree, at_points, up_to_a_factor
+from ramanujan.answers.terms import NAMES, Comparison, to_fraction
+from ramanujan.answers.values import Mistakes, Values, agree, evaluate_at_points, quotients_at_points
 from ramanujan.derivation import ROUTES, Step, model
 from ramanujan.derivation.elimination import Phi_ddot, X_ddot, phi_ddot
 from ramanujan.derivation.model import Machine, R, X, epsilon, m, m_prime, machine, phi, t
@@ -42,10 +41,10 @@ class Question:
     prompt : returns one or two sentences, Markdown with $…$
     example : a wrong formula in the notation of the answer, to show how to type
     kind : POLYNOMIAL, QUOTIENT, NUMBER or EQUATION
-    steps : keys of the steps in the route of Euler and Lagrange that explain the answer; the last one contains it
+    steps : keys of the steps in the route of Euler and Lagrange that explain the answer; the last step contains it
     next_question : the lecturer's next question after a wrong answer
-    mistakes : takes the right answer, returns its slips
-    of_machine : takes a machine with wrong bodies, returns the answer for it
+    mistakes : function (right answer) → its slips
+    of_machine : function (machine with wrong bodies) → the answer for it
     of_terms : product of names, as shown → the next question about its coefficient
     letters : letter of the textbook → its meaning here, and a question about the meaning
     variables : the variables of the answer as a polynomial
@@ -81,14 +80,14 @@ class Question:
 
     @property
     def names(self) -> tuple[str, ...]:
-        """The typed names that the answer may contain; with both masses, ε as an abbreviation of m′/m, too."""
+        """The typed names that the answer may contain. If it contains both masses, it may also contain ε for m′/m."""
         allowed = leaves(self.right)
         if {m, m_prime} <= allowed and self.variables == NAMES:
             allowed |= {epsilon}
         return tuple(name for name, symbol in SYMBOLS.items() if symbol in allowed)
 
     @property
-    def accepted(self) -> tuple[str, ...]:
+    def accepted_names(self) -> tuple[str, ...]:
         """The typed names and textbook letters that the answer may contain."""
         return (*self.names, *(letter.name for letter in self.letters))
 
@@ -97,47 +96,53 @@ class Question:
         """The next question, then the reasons of the steps, Markdown with $…$; none contains the answer."""
         return (self.next_question, *(_step(key).reason for key in self.steps))
 
-    def values(self, formula: sp.Expr) -> Values:
-        """Return the values of a formula for the comparison with the answer; in an equation a common factor cancels.
+    def evaluate(self, formula: sp.Expr) -> Values:
+        """Return the values of a formula for the comparison with the answer.
+
+        The values of an equation do not change if it is multiplied by a factor.
 
         Raises
         ------
-        ArithmeticError : under the conditions of `values.at_points`.
+        ArithmeticError : under the conditions of `values.evaluate_at_points`.
         """
-        return up_to_a_factor(formula, self.variables) if self.kind == EQUATION else at_points(formula)
+        if self.kind == EQUATION:
+            return quotients_at_points(formula, self.variables)
+        return evaluate_at_points(formula)
 
-    def terms(self, formula: sp.Expr) -> FracElement:
+    def to_fraction(self, formula: sp.Expr) -> FracElement:
         """Return a formula in lowest terms, with ε only if the right answer contains ε.
 
         Raises
         ------
-        terms.NotComparableError : under the conditions of `terms.exact`.
+        terms.NotComparableError : under the conditions of `terms.to_fraction`.
         """
-        return exact(formula, of_ratio=epsilon in leaves(self.right))
+        return to_fraction(formula, of_ratio=epsilon in leaves(self.right))
 
     @cached_property
     def right_values(self) -> Values:
         """The values of the right answer."""
-        return self.values(self.right)
+        return self.evaluate(self.right)
 
     @cached_property
     def right_terms(self) -> FracElement:
         """The right answer in lowest terms; raises `terms.NotComparableError` for an answer with a root."""
-        return self.terms(self.right)
+        return self.to_fraction(self.right)
 
-    def compared(self, formula: sp.Expr) -> Compared:
+    def compare(self, formula: sp.Expr) -> Comparison:
         """Return an answer and the right one in lowest terms.
 
         Raises
         ------
-        terms.NotComparableError : under the conditions of `terms.exact`.
+        terms.NotComparableError : under the conditions of `terms.to_fraction`.
         """
-        return Compared(self.terms(formula), self.right_terms, self.terms(without_signs(formula)))
+        return Comparison(self.to_fraction(formula), self.right_terms, self.to_fraction(remove_signs(formula)))
 
     def all_slips(self) -> list[Slip]:
         """Return all slips, including those without effect on the answer."""
-        slips = [*self.mistakes(self.right)]
-        return [mistakes.no_radius(self.right), *slips] if R in leaves(self.right) else slips
+        slips = list(self.mistakes(self.right))
+        if R in leaves(self.right):
+            slips.insert(0, mistakes.no_radius(self.right))
+        return slips
 
     @cached_property
     def slips(self) -> Mistakes:
@@ -163,18 +168,26 @@ class Question:
 
     def _values_of_mistake(self, result: sp.Expr | None) -> Values | None:
         """Return the values of a wrong answer; None if it does not exist, is zero, or is right after all."""
-        with suppress(ArithmeticError):
-            values = result and self.values(result)
-            if values and any(values) and not agree(values, self.right_values):
-                return values
-        return None
+        if result is None or result == 0:
+            return None
+        try:
+            values = self.evaluate(result)
+        except ArithmeticError:
+            return None
+        is_wrong = any(values) and not agree(values, self.right_values)
+        return values if is_wrong else None
 
     @cached_property
     def longest_form(self) -> int:
         """The length of the longest form that counts as simplified."""
         numerator, denominator = sp.fraction(sp.together(self.right))
-        factored, expanded = sp.factor(self.right), sp.expand(self.right, frac=True)
-        return max(map(length, (self.right, factored, expanded, sp.expand(numerator) / denominator)))
+        forms = (
+            self.right,
+            sp.factor(self.right),
+            sp.expand(self.right, frac=True),
+            sp.expand(numerator) / denominator,
+        )
+        return max(map(length, forms))
 
 
 def _add_to_group(groups: list[tuple[Values, list[Altered]]], values: Values, altered: Altered) -> None:
@@ -193,16 +206,17 @@ def question(name: str) -> Question:
 
 def shown_step(name: str) -> tuple[sp.Eq, ...]:
     """Return the equations of the step with the answer to a question; one of them is the answer itself."""
-    this = question(name)
-    equations = _equations_of_body(this) if this.steps[-1] == "energies" else _step(this.steps[-1]).equations
-    if any(this.right in equation.args for equation in equations):
-        return tuple(equations)
-    return (*equations, model.equation(this.symbol or equations[-1].lhs, this.right))
+    named = question(name)
+    last_step = named.steps[-1]
+    equations = tuple(_equations_of_body(named)) if last_step == "energies" else _step(last_step).equations
+    if any(named.right in equation.args for equation in equations):
+        return equations
+    return (*equations, model.equation(named.symbol or equations[-1].lhs, named.right))
 
 
 def _equations_of_body(question: Question) -> list[sp.Eq]:
     """Return the equations about one body, or about the spring, from steps with an equation for every body."""
-    body = question.name.rpartition("_")[2]
+    _quantity, _bar, body = question.name.rpartition("_")
     names = {f"{letter}_{body}" for letter in "vIT"}
     if "potential" in question.name:
         names |= {"x", "U"}
@@ -219,8 +233,9 @@ def _step(key: str) -> Step:
 
 def _body_question(name: str) -> Question:
     body, body_name = machine()[name], BODY_NAMES[name]
+    # The block has no rate: its velocity contains only X′.
     rate = {"block": "", "top": "Φ′"}.get(name, "φ′")
-    hints = {
+    templates = {
         # TRANSLATORS: {body} is the block, the hoop, the lower cylinder, the slab or the top cylinder.
         "X′²": _("What is the kinetic energy of {body} while only the block moves, with {rate} = 0?"),
         # TRANSLATORS: {body} is the block, the hoop, the lower cylinder, the slab or the top cylinder.
@@ -235,6 +250,9 @@ def _body_question(name: str) -> Question:
         # TRANSLATORS: {body} is the block, the hoop, the lower cylinder, the slab or the top cylinder.
         else _("How fast does {body} move relative to the ground?")
     )
+    hints = {}
+    if rate:
+        hints = {term: template.format(body=body_name, rate=rate) for term, template in templates.items()}
     speed = _("What is v in terms of X′ and {rate}?") if rate else _("What is v in terms of X′?")
     letters = {TEXTBOOK["v"]: (body.velocity, speed.format(rate=rate))}
     if body.angle != 0:
@@ -253,7 +271,7 @@ def _body_question(name: str) -> Question:
         next_question.format(body=body_name),
         mistakes=lambda _right: mistakes.energy(name),
         of_machine=lambda bodies: bodies[name].kinetic_energy,
-        of_terms={term: hint.format(body=body_name, rate=rate) for term, hint in hints.items()} if rate else {},
+        of_terms=hints,
         letters=letters,
         variables=MOTION,
     )
@@ -263,7 +281,7 @@ def _coupling_question(name: str, quantity: str, acceleration: sp.Expr, equation
     return Question(
         name,
         quantity,
-        lambda: mistakes.answer_of(equation),
+        lambda: mistakes.factor_in_equation(equation),
         lambda: _("The equations of motion of $X$ and $\\Phi$ give {relation}. What is $c$?").format(
             relation=f"${latex(acceleration)}=c\\,{latex(phi_ddot)}$"
         ),
@@ -279,9 +297,10 @@ def _coupling_question(name: str, quantity: str, acceleration: sp.Expr, equation
 
 def _equation_prompt() -> str:
     equation = elimination().motion[phi]
-    written = equation - equation.coeff(phi_ddot) * phi_ddot + sp.Symbol("a") * phi_ddot
+    # The question asks for the factor of φ̈, so the letter a replaces it.
+    with_letter = equation - equation.coeff(phi_ddot) * phi_ddot + sp.Symbol("a") * phi_ddot
     prompt = _("The equation of motion of {coordinate} is {equation}. What is $a$?")
-    return prompt.format(coordinate=f"${latex(phi)}$", equation=f"${latex(written)}=0$")
+    return prompt.format(coordinate=f"${latex(phi)}$", equation=f"${latex(with_letter)}=0$")
 
 
 def _first_row(bodies: Machine, states: tuple[sp.Expr, ...]) -> sp.Expr:

@@ -30,7 +30,7 @@ MOTION = tuple(_MOTION)
 """The names of coordinates, velocities and accelerations."""
 
 TEXTBOOK = {name: sp.Symbol(name) for name in ("v", "omega", "I", "x")}
-"""The letters of the textbook's ½mv² + ½Iω² and ½kx²; the judge's reply to them is a question about their meaning."""
+"""The letters of the textbook's ½mv² + ½Iω² and ½kx². The judge answers them with a question about their meaning."""
 
 _ALL = {**SYMBOLS, **TEXTBOOK}
 
@@ -64,7 +64,7 @@ _SPELLINGS = str.maketrans(
         "√": "sqrt",
     }
 )
-_REWRITTEN = [
+_REPLACEMENTS = [
     (re.compile(pattern), replacement)
     for pattern, replacement in (
         # Unicode decomposes the Ẋ of a textbook into X and a dot above.
@@ -109,10 +109,10 @@ _ALIASES = {
 _NAME = re.compile("|".join(sorted(("sqrt", "frac", *_ALL, *_ALIASES), key=len, reverse=True)))
 
 
-def plain(text: str) -> str:
+def to_ascii(text: str) -> str:
     """Return the text in ASCII spelling, apart from fractions such as ½."""
     text = unicodedata.normalize("NFD", text)
-    for pattern, replacement in _REWRITTEN:
+    for pattern, replacement in _REPLACEMENTS:
         text = pattern.sub(replacement, text)
     text = text.translate(_SPELLINGS).replace("**", "^")
     for pattern, replacement in _RATES:
@@ -123,23 +123,25 @@ def plain(text: str) -> str:
 Token: TypeAlias = str | sp.Expr
 
 
-def tokens(text: str) -> Iterator[tuple[Token, bool]]:
+def split_into_tokens(text: str) -> Iterator[tuple[Token, bool]]:
     """Yield numbers, names and signs, each with a flag for a space before it."""
-    position, spaced = 0, False
+    position = 0
+    spaced = False
     while position < len(text):
         if text[position] == " ":
-            position, spaced = position + 1, True
+            position += 1
+            spaced = True
             continue
         match = _TOKEN.match(text, position)
         if match is None:
             raise UnreadableError(_explain_character(text[position]))
         position = match.end()
         if match["number"]:
-            yield _number(match["number"]), spaced
+            yield _read_number(match["number"]), spaced
         elif match["fraction"]:
             yield sp.Rational(unicodedata.numeric(match[0])).limit_denominator(10), spaced
         elif match["word"]:
-            for name in _names(match["word"]):
+            for name in _split_names(match["word"]):
                 yield _ALL.get(name, name), spaced
                 spaced = False
         else:
@@ -159,13 +161,13 @@ def _explain_character(character: str) -> str:
     return _("The character “{character}” does not belong in a formula.").format(character=shown)
 
 
-def _number(digits: str) -> sp.Expr:
+def _read_number(digits: str) -> sp.Expr:
     if len(digits.replace(".", "")) > MAX_DIGITS:
         raise UnreadableError(_("A number may have at most {most} digits.").format(most=MAX_DIGITS))
     return sp.Symbol(digits) if "." in digits else sp.Integer(digits)
 
 
-def _names(word: str) -> list[str]:
+def _split_names(word: str) -> list[str]:
     """Split a run of letters into names: mR becomes m and R."""
     names, position = [], 0
     while position < len(word):

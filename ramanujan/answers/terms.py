@@ -10,9 +10,9 @@ from math import inf, prod
 import sympy as sp
 from sympy.polys.fields import FracElement, field
 
-from ramanujan.answers.formulas import weights
+from ramanujan.answers.formulas import count_leaves
 from ramanujan.answers.spelling import SYMBOLS
-from ramanujan.answers.values import decimals
+from ramanujan.answers.values import find_decimals
 from ramanujan.derivation.model import epsilon, m, m_prime
 from ramanujan.numerals import filled, superscript
 from ramanujan.translation import _, ngettext
@@ -89,15 +89,15 @@ _TOO_LARGE = _("Your answer differs from the right one. It cannot be compared te
 
 
 def _check_size(expression: sp.Expr) -> None:
-    """Raise if the reduction of a formula to lowest terms would take long.
+    """Raise an error if the reduction of a formula to lowest terms would take long.
 
-    Expanding a sum of few terms is fast. Finding the common factors of a quotient is slow.
+    Expanding a formula with few terms is fast. Finding the common factors of a large quotient is slow.
 
     Raises
     ------
     NotComparableError : the formula has too many terms and too many names.
     """
-    if _count_terms(expression) > _MAX_TERMS and weights(expression).total() > _MAX_WEIGHT:
+    if _count_terms(expression) > _MAX_TERMS and count_leaves(expression).total() > _MAX_WEIGHT:
         raise NotComparableError(_TOO_LARGE)
 
 
@@ -119,11 +119,13 @@ def _count_terms(expression: sp.Expr) -> float:
 
 def names_in(formula: FracElement) -> frozenset[str]:
     """Return the names on which a formula depends."""
-    all_powers = [*formula.numer, *formula.denom]
-    return frozenset(name for i, name in enumerate(NAMES) if any(powers[i] for powers in all_powers))
+    # Each key of a polynomial contains the powers of NAMES in one of its terms.
+    powers_of_terms = [*formula.numer, *formula.denom]
+    powers_of_names = zip(NAMES, zip(*powers_of_terms, strict=True), strict=True)
+    return frozenset(name for name, powers in powers_of_names if any(powers))
 
 
-def exact(expression: sp.Expr, *, of_ratio: bool = False) -> FracElement:
+def to_fraction(expression: sp.Expr, *, of_ratio: bool = False) -> FracElement:
     """Return a formula in lowest terms.
 
     Parameters
@@ -137,7 +139,7 @@ def exact(expression: sp.Expr, *, of_ratio: bool = False) -> FracElement:
     """
     _check_size(expression)
     masses = {m_prime: epsilon * m} if of_ratio else {epsilon: m_prime / m}
-    numbers = {decimal: sp.Rational(decimal.name) for decimal in decimals(expression)}
+    numbers = {decimal: sp.Rational(decimal.name) for decimal in find_decimals(expression)}
     try:
         return FIELD.from_expr(expression.xreplace(masses | numbers).doit())
     except ValueError:
@@ -154,7 +156,7 @@ def shown_name(name: str) -> str:
     return name
 
 
-def listed(names: list[str]) -> str:
+def join_names(names: list[str]) -> str:
     """Return names as a list in a sentence: "m, k and R"."""
     *first, last = map(shown_name, names)
     return _("{names} and {last}").format(names=", ".join(first), last=last) if first else last
@@ -172,15 +174,15 @@ def shown_factor(factor: FracElement) -> str | None:
     """Return a quotient of two single terms as text, such as 3m′/(2m); None for a factor with more terms."""
     if len(factor.numer) != 1 or len(factor.denom) != 1:
         return None
-    (numerator_powers, p), *_none = factor.numer.items()
-    (denominator_powers, q), *_none = factor.denom.items()
+    ((numerator_powers, p),) = factor.numer.items()
+    ((denominator_powers, q),) = factor.denom.items()
     numerator = (str(abs(int(p))) if abs(p) != 1 else "") + _shown_product(numerator_powers)
     denominator = (str(int(q)) if q != 1 else "") + _shown_product(denominator_powers)
     shown = ("−" if p < 0 else "") + (numerator or "1")
     if not denominator:
         return shown
-    names_below = sum(power > 0 for power in denominator_powers)
-    if names_below + (q != 1) == 1:
+    factors_below = sum(power > 0 for power in denominator_powers) + (q != 1)
+    if factors_below == 1:
         return f"{shown}/{denominator}"
     return f"{shown}/({denominator})"
 
@@ -191,8 +193,8 @@ def factor_in_words(factor: str) -> str:
     return _WORDS.get(factor) or _("{factor} times").format(factor=factor)
 
 
-def in_short(differences: list[TermDifference]) -> list[str]:
-    """Return the sentences about the differences; of a long list, a sentence with its length and the first one."""
+def summarize(differences: list[TermDifference]) -> list[str]:
+    """Return the sentences about the differences. If there are many, return their number and the first sentence."""
     sentences = [difference.sentence for difference in differences]
     if len(sentences) <= _MOST_SENTENCES:
         return sentences
@@ -201,14 +203,16 @@ def in_short(differences: list[TermDifference]) -> list[str]:
     return [filled(differ, n=n), sentences[0]]
 
 
-def multiple(ratio: FracElement) -> list[str]:
+def describe_multiple(ratio: FracElement) -> list[str]:
     """Return a sentence with the ratio of the given answer to the right one; an empty list unless it is simple."""
     factor = shown_factor(ratio)
+    if factor is None:
+        return []
     times, sign = _("Your answer is {times} the right one."), _("Your answer has the wrong sign.")
-    return [] if factor is None else [_size_and_sign(factor, times, sign)]
+    return [_describe_size_and_sign(factor, times, sign)]
 
 
-def _size_and_sign(factor: str, times: str, sign: str, **names: str) -> str:
+def _describe_size_and_sign(factor: str, times: str, sign: str, **names: str) -> str:
     """Return a sentence about the size of a factor, after a sentence about its sign if the factor is negative.
 
     Parameters
@@ -231,19 +235,19 @@ def _size_and_sign(factor: str, times: str, sign: str, **names: str) -> str:
 
 
 @dataclass(frozen=True)
-class Compared:
+class Comparison:
     """An answer and the right one in lowest terms.
 
     Parameters
     ----------
     given : the answer
     right : the right answer
-    typed : the answer with every minus sign replaced by a plus, so that no two of its terms cancel
+    without_signs : the answer with every minus sign replaced by a plus, so that no two of its terms cancel
     """
 
     given: FracElement
     right: FracElement
-    typed: FracElement
+    without_signs: FracElement
 
     def differences(self, variables: tuple[str, ...], place: str = "{term}") -> list[TermDifference] | None:
         """Return the coefficients that differ, None if the answer is not a polynomial in the variables.
@@ -253,32 +257,38 @@ class Compared:
         variables : the variables of the polynomials; their coefficients may contain all other names
         place : a template for a term and its place, such as "{term} in the numerator"
         """
-        given = _coefficients(self.given, variables)
-        right = _coefficients(self.right, variables)
-        typed = _coefficients(self.typed, variables) or {}
+        given = _collect_coefficients(self.given, variables)
+        right = _collect_coefficients(self.right, variables)
+        without_signs = _collect_coefficients(self.without_signs, variables) or {}
         if given is None or right is None:
             return None
         differences = []
         for powers in sorted(given.keys() | right.keys(), reverse=True):
-            coefficients = Compared(*(terms.get(powers, FIELD.zero) for terms in (given, right, typed)))
+            coefficients = Comparison(
+                given.get(powers, FIELD.zero), right.get(powers, FIELD.zero), without_signs.get(powers, FIELD.zero)
+            )
             if coefficients.given != coefficients.right:
                 product = _shown_product(powers)
                 term = place.format(term=product) if product else ""
-                differences.append(coefficients._difference(product, term, variables))
+                differences.append(coefficients._describe_coefficient(product, term, variables))
         return differences
 
-    def _difference(self, product: str, term: str, variables: tuple[str, ...]) -> TermDifference:
-        """Return how a coefficient differs; of a sum in which one mass is wrong, only the difference of that mass."""
-        if variables != NAMES and self.given and len(self.right.numer) > 1:
-            within = self.differences(NAMES, f"{{term}}{product}")
-            if within and len(within) == 1:
-                return replace(within[0], term=product)
-        cancels = bool(self.typed) and not self.given
+    def _describe_coefficient(self, product: str, term: str, variables: tuple[str, ...]) -> TermDifference:
+        """Return how a coefficient differs.
+
+        For a sum of masses in which only one term is wrong, the sentence is about that term.
+        """
+        is_sum_of_masses = variables != NAMES and len(self.right.numer) > 1
+        if is_sum_of_masses and self.given:
+            of_masses = self.differences(NAMES, f"{{term}}{product}")
+            if of_masses and len(of_masses) == 1:
+                return replace(of_masses[0], term=product)
+        cancels = bool(self.without_signs) and not self.given
         return TermDifference(product, self._sentence(term), self._is_slip(), cancels)
 
     def _is_slip(self) -> bool:
         right = self.right
-        return self.given in (0, -right, 2 * right, right / 2, _interchanged(right))
+        return self.given in (0, -right, 2 * right, right / 2, _interchange_masses(right))
 
     def _sentence(self, term: str) -> str:
         """Return a sentence about a coefficient that differs."""
@@ -286,18 +296,19 @@ class Compared:
         if not self.right:
             return words.extra.format(term=term)
         if not self.given:
-            return (words.cancels if self.typed else words.missing).format(term=term)
-        if term and {"m", "m'"} <= names_in(self.right) and self.given == _interchanged(self.right):
+            return (words.cancels if self.without_signs else words.missing).format(term=term)
+        if term and {"m", "m'"} <= names_in(self.right) and self.given == _interchange_masses(self.right):
             return _("In your coefficient of {term} m and m′ are interchanged.").format(term=term)
         factor = shown_factor(self.given / self.right)
         if factor is None:
             return words.wrong.format(term=term)
-        if term and (sentence := self._names_off(term)):
-            return sentence
+        sentence_about_names = self._compare_names(term) if term else None
+        if sentence_about_names:
+            return sentence_about_names
         sign = words.negative if self.right.numer.LC < 0 else words.positive
-        return _size_and_sign(factor, words.multiple, sign, term=term)
+        return _describe_size_and_sign(factor, words.multiple, sign, term=term)
 
-    def _names_off(self, term: str) -> str | None:
+    def _compare_names(self, term: str) -> str | None:
         """Return a sentence about the names in which the coefficients differ, None if their numbers differ, too."""
         ratio = self.given / self.right
         if not names_in(ratio) or ratio.numer.LC * ratio.denom.LC != 1:
@@ -317,30 +328,38 @@ class Compared:
 
     # Of the whole formula
 
-    def of_equation(self, variables: tuple[str, ...]) -> list[TermDifference] | None:
-        """Return the differences of “given = 0” and “right = 0”, multiplied by the factor that leaves the fewest."""
-        given = _coefficients(self.given, variables) or {}
-        right = _coefficients(self.right, variables) or {}
-        factors = [given[powers] / right[powers] for powers in given.keys() & right.keys()]
-        compared = [replace(self, right=self.right * factor).differences(variables) for factor in factors]
-        return min(filter(None, compared), key=len, default=None)
+    def equation_differences(self, variables: tuple[str, ...]) -> list[TermDifference] | None:
+        """Return the differences of the equations “given = 0” and “right = 0”.
 
-    def of_fraction(self) -> tuple[str, list[TermDifference]] | None:
+        The right equation is first multiplied by a factor, which makes one of its terms equal to the given one. The
+        factor with the fewest differences counts.
+        """
+        given = _collect_coefficients(self.given, variables) or {}
+        right = _collect_coefficients(self.right, variables) or {}
+        alternatives = []
+        for powers in given.keys() & right.keys():
+            factor = given[powers] / right[powers]
+            differences = replace(self, right=self.right * factor).differences(variables)
+            if differences:
+                alternatives.append(differences)
+        return min(alternatives, key=len, default=None)
+
+    def fraction_differences(self) -> tuple[str, list[TermDifference]] | None:
         """Return a sentence about the right part of a fraction, and the differences in its other part; or None.
 
-        Written with the right denominator D, the answer has the numerator given·D. Written with the right numerator
-        N, it has the denominator N/given.
+        Let N/D be the right answer. With the denominator D, the typed answer is (given·D)/D. With the numerator N, it
+        is N/(N/given).
         """
-        above, below = FIELD(self.right.numer), FIELD(self.right.denom)
-        numerators = Compared(self.given * below, above, self.typed * below)
-        denominators = Compared(above / self.given, below, above / self.typed)
+        N, D = FIELD(self.right.numer), FIELD(self.right.denom)
+        numerators = Comparison(self.given * D, N, self.without_signs * D)
+        denominators = Comparison(N / self.given, D, N / self.without_signs)
         # TRANSLATORS: {term} is a product of symbols; the whole stands for {term} in: Your coefficient of {term} is …
         numerator = numerators.differences(NAMES, _("{term} in the numerator"))
         # TRANSLATORS: as before, of a term below the fraction line.
         denominator = denominators.differences(NAMES, _("{term} in the denominator"))
-        if numerator and not names_in(FIELD(self.given.denom) / below):
+        if numerator and not names_in(FIELD(self.given.denom) / D):
             return _("Written as one fraction, your answer has the right denominator."), numerator
-        if denominator and not names_in(FIELD(self.given.numer) / above):
+        if denominator and not names_in(FIELD(self.given.numer) / N):
             return _("Written as one fraction, your answer has the right numerator."), denominator
         # Reducing a wrong fraction to lowest terms may change both parts. Then the expanded fraction is compared.
         if numerator and len(numerator) == 1:
@@ -350,12 +369,14 @@ class Compared:
         return None
 
 
-def _interchanged(formula: FracElement) -> FracElement:
+def _interchange_masses(formula: FracElement) -> FracElement:
     """Return a formula with m and m′ interchanged."""
     return FIELD.from_expr(formula.as_expr().xreplace({m: m_prime, m_prime: m}))
 
 
-def _coefficients(formula: FracElement, variables: tuple[str, ...]) -> dict[tuple[int, ...], FracElement] | None:
+def _collect_coefficients(
+    formula: FracElement, variables: tuple[str, ...]
+) -> dict[tuple[int, ...], FracElement] | None:
     """Return product of variables → its coefficient, None if a variable is below a fraction line.
 
     A product is a tuple with the power of each of `NAMES`.
@@ -366,8 +387,8 @@ def _coefficients(formula: FracElement, variables: tuple[str, ...]) -> dict[tupl
         return None
     coefficients: dict[tuple[int, ...], FracElement] = {}
     for powers, number in formula.numer.items():
-        product = tuple(power * chosen for power, chosen in zip(powers, is_variable, strict=True))
-        rest = tuple(power - used for power, used in zip(powers, product, strict=True))
-        term = FIELD(FIELD.ring({rest: number})) / denominator
-        coefficients[product] = coefficients.get(product, FIELD.zero) + term
+        of_variables = tuple(power if chosen else 0 for power, chosen in zip(powers, is_variable, strict=True))
+        of_others = tuple(0 if chosen else power for power, chosen in zip(powers, is_variable, strict=True))
+        term = FIELD(FIELD.ring({of_others: number})) / denominator
+        coefficients[of_variables] = coefficients.get(of_variables, FIELD.zero) + term
     return coefficients

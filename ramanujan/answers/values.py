@@ -2,8 +2,8 @@
 
 Two formulas count as equal if they agree at all `POINTS`, whose coordinates have twelve random digits. By the lemma of
 Schwartz and Zippel, two different rational formulas of degree 120 agree there with a probability below 1e-29. The
-product of a hundred coordinates has 1,200 digits. So two different fractions with fewer names in numerators and
-denominators also differ within the digits of a value.
+product of a hundred coordinates has 1,200 digits. So two different fractions whose numerators and denominators have
+fewer names also differ within the digits of a value.
 """
 
 import random
@@ -15,7 +15,7 @@ from typing import TypeAlias
 import mpmath
 import sympy as sp
 
-from ramanujan.answers.formulas import is_decimal, leaves, replaced
+from ramanujan.answers.formulas import is_decimal, leaves, replace_letters
 from ramanujan.answers.spelling import MOTION, SYMBOLS
 from ramanujan.derivation.model import COORDINATES, R, epsilon, k, m, m_prime
 from ramanujan.numerals import superscript
@@ -82,7 +82,7 @@ def point(**values: Number | int) -> dict[sp.Expr, Number]:
     return coordinates | {epsilon: coordinates[m_prime] / coordinates[m]}
 
 
-def _points() -> tuple[dict[sp.Expr, Number], ...]:
+def _draw_points() -> tuple[dict[sp.Expr, Number], ...]:
     source = random.Random(1729)
     points = []
     for sign in (1, -1, 1):
@@ -95,21 +95,22 @@ def _points() -> tuple[dict[sp.Expr, Number], ...]:
     return tuple(points)
 
 
-POINTS = _points()
+POINTS = _draw_points()
 
 
 @cache
 def moved_points(names: tuple[str, ...]) -> tuple[dict[sp.Expr, Number], ...]:
     """Return `POINTS` with other values of these names; `eps` changes m′ and the mass ratio."""
     names = tuple("m'" if name == "eps" else name for name in names)
+    next_points = POINTS[1:] + POINTS[:1]
     points = []
-    for old, other in zip(POINTS, POINTS[1:] + POINTS[:1], strict=True):
-        moved = old | {SYMBOLS[name]: other[SYMBOLS[name]] + 1 for name in names}
+    for old, following in zip(POINTS, next_points, strict=True):
+        moved = old | {SYMBOLS[name]: following[SYMBOLS[name]] + 1 for name in names}
         points.append(moved | {epsilon: moved[m_prime] / moved[m]})
     return tuple(points)
 
 
-def at_points(expression: sp.Expr, points: tuple[dict[sp.Expr, Number], ...] = POINTS) -> Values:
+def evaluate_at_points(expression: sp.Expr, points: tuple[dict[sp.Expr, Number], ...] = POINTS) -> Values:
     """Return the values of a formula at some points.
 
     Raises
@@ -119,16 +120,17 @@ def at_points(expression: sp.Expr, points: tuple[dict[sp.Expr, Number], ...] = P
     return tuple(evaluate(expression, values) for values in points)
 
 
-def up_to_a_factor(expression: sp.Expr, names: tuple[str, ...]) -> Values:
+def quotients_at_points(expression: sp.Expr, names: tuple[str, ...]) -> Values:
     """Return values that do not change if the equation “expression = 0” is multiplied by a factor.
 
-    They are quotients of its values at points that differ only in these names. A factor without these names cancels.
+    They are quotients of its values at `POINTS` and at points with other values of `names`. A factor without these
+    names cancels.
 
     Raises
     ------
-    ArithmeticError : under the conditions of `at_points`.
+    ArithmeticError : under the conditions of `evaluate_at_points`.
     """
-    numerators, denominators = at_points(expression), at_points(expression, moved_points(names))
+    numerators, denominators = evaluate_at_points(expression), evaluate_at_points(expression, moved_points(names))
     return tuple(a / b if b else _MP.zero for a, b in zip(numerators, denominators, strict=True))
 
 
@@ -169,41 +171,48 @@ def depends_on(expression: sp.Expr, symbol: sp.Expr, *, of_ratio: bool = False) 
 # Decimals
 
 
-def decimals(expression: sp.Expr) -> set[sp.Symbol]:
+def find_decimals(expression: sp.Expr) -> set[sp.Symbol]:
     """Return the decimal numbers in a formula."""
     return {symbol for symbol in expression.free_symbols if is_decimal(symbol)}
 
 
-def units_off(expression: sp.Expr, target: Values) -> Number | None:
+def rounding_error(expression: sp.Expr, target: Values) -> Number | None:
     """Return the rounding error of a decimal in the formula, in units of its last digit.
 
     The exact number makes the formula equal to the target at all points. Return None if no such number exists within
     one and a half units. A number that fits into the typed digits does not count: 0.6 for ½ is not a rounding error.
     """
-    for decimal in decimals(expression):
-        typed, unit = _MP.mpf(decimal.name), _MP.mpf(10) ** -len(decimal.name.partition(".")[2])
+    for decimal in find_decimals(expression):
+        _whole, _point, places = decimal.name.partition(".")
+        typed = _MP.mpf(decimal.name)
+        unit = _MP.mpf(10) ** -len(places)
         try:
-            exact = _exact_number(expression, decimal, target, typed - 3 * unit / 2, typed + 3 * unit / 2)
+            exact = _find_exact_number(expression, decimal, target, typed - 3 * unit / 2, typed + 3 * unit / 2)
         except ArithmeticError:
             continue
         if exact is None:
             continue
-        if abs(exact / unit - _MP.nint(exact / unit)) > _MP.mpf(10) ** -60:
+        in_units = exact / unit
+        fits_into_digits = abs(in_units - _MP.nint(in_units)) <= _MP.mpf(10) ** -60
+        if not fits_into_digits:
             return abs(exact - typed) / unit
     return None
 
 
-def _exact_number(expression: sp.Expr, decimal: sp.Symbol, target: Values, low: Number, high: Number) -> Number | None:
-    """Return the number between two bounds that makes the formula right in place of a decimal, or None."""
+def _find_exact_number(
+    expression: sp.Expr, decimal: sp.Symbol, target: Values, low: Number, high: Number
+) -> Number | None:
+    """Return the number from low to high that makes the formula right if it replaces a decimal, or None."""
 
-    def error(x: Number, i: int = 0) -> Number:
-        return evaluate(expression, POINTS[i] | {decimal: x}) / target[i] - 1
+    def relative_error(number: Number, point_number: int = 0) -> Number:
+        value = evaluate(expression, POINTS[point_number] | {decimal: number})
+        return value / target[point_number] - 1
 
-    if error(low) * error(high) >= 0:
+    if relative_error(low) * relative_error(high) >= 0:
         return None
-    root = _MP.findroot(error, (low, high), solver="anderson", tol=1e-120, maxsteps=60, verify=False)
-    is_exact = all(abs(error(root, i)) <= _MP.mpf(10) ** -80 for i in range(len(POINTS)))
-    return root if is_exact else None
+    root = _MP.findroot(relative_error, (low, high), solver="anderson", tol=1e-120, maxsteps=60, verify=False)
+    errors = [abs(relative_error(root, point_number)) for point_number in range(len(POINTS))]
+    return root if max(errors) <= _MP.mpf(10) ** -80 else None
 
 
 # Units
@@ -229,9 +238,12 @@ def unit(expression: sp.Expr) -> str:
     >>> unit(k * R**2 / m)
     'm²/s²'
     """
-    # A zero may be added to any unit.
-    units = {leaf: _UNITS.get(leaf, sp.S.Zero if leaf == 0 else sp.S.One) for leaf in leaves(expression)}
-    value = replaced(expression, units).doit()
+    units = {}
+    for leaf in leaves(expression):
+        # A zero may be added to any unit.
+        plain_number = sp.S.Zero if leaf == 0 else sp.S.One
+        units[leaf] = _UNITS.get(leaf, plain_number)
+    value = replace_letters(expression, units).doit()
     # Equal units have been added up, and a sum of plain numbers, such as 1 + √2, contains no symbol.
     sums_of_units = [total for total in value.atoms(sp.Add) if total.free_symbols]
     if sums_of_units:
@@ -242,11 +254,12 @@ def unit(expression: sp.Expr) -> str:
 
 def _unit_text(value: sp.Expr) -> str:
     powers = value.as_powers_dict()
-    numerator = "·".join(_power(base, powers[base]) for base in (_KG, _M, _S) if powers[base] > 0)
-    denominator = "·".join(_power(base, -powers[base]) for base in (_KG, _M, _S) if powers[base] < 0)
-    if not denominator:
+    above = [_power(base, powers[base]) for base in (_KG, _M, _S) if powers[base] > 0]
+    below = [_power(base, -powers[base]) for base in (_KG, _M, _S) if powers[base] < 0]
+    numerator, denominator = "·".join(above), "·".join(below)
+    if not below:
         return numerator
-    return f"{numerator or 1}/({denominator})" if "·" in denominator else f"{numerator or 1}/{denominator}"
+    return f"{numerator or 1}/({denominator})" if len(below) > 1 else f"{numerator or 1}/{denominator}"
 
 
 def _power(base: sp.Symbol, exponent: sp.Rational) -> str:

@@ -122,7 +122,7 @@ def draw_box(name: str, with_step: bool, route: str = "") -> None:
     shown = question(name)
     is_equation = shown.kind == EQUATION
     st.markdown(shown.prompt())
-    names = " ".join(f"`{letter}`" for letter in (*shown.accepted, "sqrt( )"))
+    names = " ".join(f"`{letter}`" for letter in (*shown.accepted_names, "sqrt( )"))
     st.markdown(_(":small[You may use numbers and] {names}").format(names=names))
     with st.form(f"form_{route}{name}", border=False):
         text = st.text_input(
