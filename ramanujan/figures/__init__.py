@@ -46,7 +46,7 @@ def template(colors: Mapping[str, str], hover: str | None = None) -> dict[str, A
         "title": {"standoff": 6, "font": {"size": 14}},
         "automargin": True,
     }
-    around = ("2px 0", "-2px 0", "0 2px", "0 -2px")
+    shadow_offsets = ("2px 0", "-2px 0", "0 2px", "0 -2px")
     layout = {
         "font": {"color": colors["ink"], "size": 14, "family": _FAMILY},
         # With the background of the page, a figure saved in the dark theme is legible.
@@ -59,9 +59,14 @@ def template(colors: Mapping[str, str], hover: str | None = None) -> dict[str, A
         "hoverlabel": {"bgcolor": colors["paper"], "font": {"color": colors["ink"]}},
         "separators": DECIMAL + THIN,
         # The shadow separates the letters of a label from lines, also in a saved file. Blur would darken dark paper.
-        "annotationdefaults": {"font": {"shadow": ", ".join(f"{by} {colors['paper']}" for by in around)}},
+        "annotationdefaults": {
+            "font": {"shadow": ", ".join(f"{offset} {colors['paper']}" for offset in shadow_offsets)}
+        },
     }
-    return {"layout": layout, "data": {"scatter": [{"type": "scatter"} | ({"hovertemplate": hover} if hover else {})]}}
+    scatter = {"type": "scatter"}
+    if hover:
+        scatter["hovertemplate"] = hover
+    return {"layout": layout, "data": {"scatter": [scatter]}}
 
 
 def figure(
@@ -107,7 +112,7 @@ def legend(height: float = 1.02) -> dict[str, Any]:
 
 
 def note(name: str, color: str | None, x: float, y: float) -> dict[str, Any]:
-    """Return an annotation, by default in the figure's colour."""
+    """Return an annotation without an arrow, by default in the colour of the figure's text."""
     font = {"size": 13} | ({"color": color} if color else {})
     words = {"text": name, "font": font, "showarrow": False, "borderpad": 0}
     return words | {"x": float(x), "y": float(y), "xref": "x", "yref": "y"}
@@ -115,7 +120,7 @@ def note(name: str, color: str | None, x: float, y: float) -> dict[str, Any]:
 
 def drawn(traces: Iterable[Mapping[str, Any]], layout: Mapping[str, Any]) -> Drawn:
     """Return a figure with these traces; NumPy arrays become Plotly's typed arrays, bytes in base 64."""
-    data = [{name: _typed(value) for name, value in trace.items()} for trace in traces]
+    data = [{name: _encode(value) for name, value in trace.items()} for trace in traces]
     return Drawn({"data": data, "layout": dict(layout)})
 
 
@@ -142,7 +147,7 @@ _LEAST = 400
 """The smallest height of a figure [px]; on a slide it grows with the free space."""
 _LINE = 16
 """The number of letters of an axis title that fit beside one of two panels."""
-_ABOVE = (24, 54)
+_MARGIN_ABOVE, _MARGIN_WITH_WORDS = 24, 54
 """The margin above the panels [px], without and with a line of words. Plotly omits the last number without a margin."""
 _ROW = 4
 """The largest number of names in a row above a figure. On a slide, a longer legend is a column beside the figure."""
@@ -161,31 +166,39 @@ def in_large_print(figure: BaseFigure) -> Drawn:
     """
     sent = figure.to_dict()
     layout = {**sent["layout"], "height": min(_LEAST, sent["layout"].get("height", _LEAST))}
-    for name in [name for name in layout if name.startswith(("xaxis", "yaxis"))]:
-        layout[name] = _roomy_axis(layout[name], upright=name.startswith("yaxis"))
+    axes = [name for name in layout if name.startswith(("xaxis", "yaxis"))]
+    for name in axes:
+        layout[name] = _roomy_axis(layout[name], is_vertical=name.startswith("yaxis"))
     # Plotly caches the width of a text by its size. A new size forces a new measurement after a switch to a projector.
     notes = [{**note, "font": {**note.get("font", {}), "size": _LETTERS}} for note in layout.get("annotations", ())]
-    is_above = any(note.get("yref") == "paper" and note["y"] == 1 for note in notes)
-    names = {trace["name"] for trace in sent["data"] if trace.get("name") and trace.get("showlegend", True)}
-    if "legend" in layout and len(names) > _ROW:
+    has_note_above = any(note.get("yref") == "paper" and note["y"] == 1 for note in notes)
+    legend_names = {trace["name"] for trace in sent["data"] if trace.get("name") and trace.get("showlegend", True)}
+    if "legend" in layout and len(legend_names) > _ROW:
         layout["legend"] = {"orientation": "v", "tracegroupgap": 0, "maxheight": 1000, "font": {"size": 18}}
-    layout |= {"annotations": notes, "margin": {**layout.get("margin", {}), "t": _ABOVE[is_above]}}
+    margin_above = _MARGIN_WITH_WORDS if has_note_above else _MARGIN_ABOVE
+    layout |= {"annotations": notes, "margin": {**layout.get("margin", {}), "t": margin_above}}
     return Drawn({**sent, "layout": layout})
 
 
-def _roomy_axis(axis: dict[str, Any], upright: bool) -> dict[str, Any]:
+def _roomy_axis(axis: dict[str, Any], is_vertical: bool) -> dict[str, Any]:
     # The standoff separates the first labels of both axes.
     axis = {**axis, "ticklabelstandoff": 6, "tickfont": {"size": _LETTERS}}
-    if text := axis.get("title", {}).get("text", ""):
-        lines = _in_lines(text) if upright else text
-        # Plotly ignores the exponent of a power of ten and underestimates the height of a second line.
-        powers = axis.get("type") == "log" or any("<sup>" in label for label in axis.get("ticktext", ()))
-        standoff = 12 + (18 if upright and powers else 0) + (28 if "<br>" in lines else 0)
-        axis["title"] = {**axis["title"], "text": lines, "standoff": standoff, "font": {"size": _LETTERS}}
+    text = axis.get("title", {}).get("text", "")
+    if not text:
+        return axis
+    title = _break_title(text) if is_vertical else text
+    # Plotly ignores the exponent of a power of ten and underestimates the height of a second line.
+    has_powers = axis.get("type") == "log" or any("<sup>" in label for label in axis.get("ticktext", ()))
+    standoff = 12
+    if is_vertical and has_powers:
+        standoff += 18
+    if "<br>" in title:
+        standoff += 28
+    axis["title"] = {**axis["title"], "text": title, "standoff": standoff, "font": {"size": _LETTERS}}
     return axis
 
 
-def _in_lines(text: str) -> str:
+def _break_title(text: str) -> str:
     """Break a long title once, at the space nearest to its middle."""
     if len(text) <= _LINE or "<br>" in text:
         return text
@@ -194,8 +207,9 @@ def _in_lines(text: str) -> str:
     return text if middle is None else f"{text[:middle]}<br>{text[middle + 1 :]}"
 
 
-def _typed(value: Any) -> Any:
+def _encode(value: Any) -> Any:
+    """Return an array as Plotly's typed array, and any other value unchanged."""
     if not isinstance(value, np.ndarray) or value.dtype.name not in _TYPES:
         return value
-    little = value.astype(value.dtype.newbyteorder("<"), copy=False)
-    return {"dtype": _TYPES[value.dtype.name], "bdata": base64.b64encode(little.tobytes()).decode()}
+    little_endian = value.astype(value.dtype.newbyteorder("<"), copy=False)
+    return {"dtype": _TYPES[value.dtype.name], "bdata": base64.b64encode(little_endian.tobytes()).decode()}

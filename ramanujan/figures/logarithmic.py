@@ -13,11 +13,13 @@ Scale = Callable[[np.ndarray], np.ndarray]
 
 _SYMBOLS = ("circle", "square", "diamond", "triangle-up", "triangle-down", "pentagon", "hexagon2")
 """The symbols of the methods, in order."""
-_SQUEEZED, _APART = 8, 4
-"""The factor by which the lower decades of an axis are compressed, and the smallest gap above them [decades]."""
+_COMPRESSION = 8
+"""The factor by which the lower decades of an axis are compressed."""
+_LEAST_GAP = 4
+"""The smallest gap between two curves that makes an axis compressed [decades]."""
 
 
-def look_of(index: int, colors: Colors) -> tuple[str, str]:
+def method_look(index: int, colors: Colors) -> tuple[str, str]:
     """Return the colour and the symbol of a method."""
     return colors[f"method_{index}"], _SYMBOLS[index]
 
@@ -28,9 +30,9 @@ def axis(title: str, ends: Sequence[float], **more: Any) -> dict[str, Any]:
     return {"title": {"text": title, "standoff": 8}, "range": list(ends), **look, **more}
 
 
-def log_axis(title: str, shown: tuple[float, float]) -> dict[str, Any]:
+def log_axis(title: str, limits: tuple[float, float]) -> dict[str, Any]:
     """Return a logarithmic axis with at most seven ticks."""
-    low, high = np.log10(shown).tolist()
+    low, high = np.log10(limits).tolist()
     return axis(title, (low, high), type="log", dtick=max(1, math.ceil((high - low) / 6)))
 
 
@@ -53,24 +55,38 @@ def axis_with_room(title: str, curves: Sequence[np.ndarray], most: float) -> tup
     """
     exponents = [each[np.isfinite(each)] for each in map(logarithm, curves)]
     exponents = [each for each in exponents if each.size] or [np.array([-1.0, 0.0])]
-    least, high = min(map(np.min, exponents)), min(most, max(map(np.max, exponents)))
-    usual = np.sort([np.median(each) for each in exponents])
-    gaps = np.diff(usual)
-    wide = int(np.argmax(gaps)) if gaps.size else 0
-    low = float(np.floor(usual[wide + 1]) - 1) if gaps.size and gaps[wide] >= _APART else float(np.floor(least))
+    least = min(map(np.min, exponents))
+    high = min(most, max(map(np.max, exponents)))
+    low = _find_compressed_end(exponents, least)
 
     def place(values: np.ndarray) -> np.ndarray:
         exponent = logarithm(values)
-        return np.where(exponent < low, low + (exponent - low) / _SQUEEZED, exponent).astype(np.float32)
+        return np.where(exponent < low, low + (exponent - low) / _COMPRESSION, exponent).astype(np.float32)
 
     bottom = min(low, float(place(np.array([10.0**least]))[0]))
     step = max(1, round((high - low) / 3))
-    below = [int(least)] if least < low - 3 else []
-    decades = [*range(int(low) + (step if below else 0), int(np.ceil(high)) + 1, step)]
-    ticks = {"tickvals": [low + (n - low) / _SQUEEZED for n in below] + decades, "ticktext": _powers(below + decades)}
+    # One tick in the compressed part, if it has more than three decades. It replaces the tick at the end of this part.
+    lowest_tick = [int(least)] if least < low - 3 else []
+    first_tick = int(low) + step if lowest_tick else int(low)
+    other_ticks = [*range(first_tick, int(np.ceil(high)) + 1, step)]
+    ticks = {
+        "tickvals": [low + (exponent - low) / _COMPRESSION for exponent in lowest_tick] + other_ticks,
+        "ticktext": _powers(lowest_tick + other_ticks),
+    }
     # An axis with few decades has a tick at its end, too. The font size is that of Plotly's logarithmic axes.
     top = high + 0.2 if step > 1 else np.ceil(high) + 0.05
     return axis(title, (bottom - 0.2 if bottom < low else low, top), tickfont={"size": 15}, **ticks), place, low
+
+
+def _find_compressed_end(exponents: Sequence[np.ndarray], least: float) -> float:
+    """Return the exponent below which an axis is compressed; without a wide gap between curves, the lower end."""
+    medians = np.sort([np.median(each) for each in exponents])
+    gaps = np.diff(medians)
+    if gaps.size:
+        widest = int(np.argmax(gaps))
+        if gaps[widest] >= _LEAST_GAP:
+            return float(np.floor(medians[widest + 1]) - 1)
+    return float(np.floor(least))
 
 
 def _powers(exponents: Iterable[int]) -> list[str]:
@@ -84,20 +100,28 @@ def power_axis(title: str, low: float, high: float) -> dict[str, Any]:
     return axis(title, (low, high), tickvals=values, ticktext=_powers(values))
 
 
-def within(values: np.ndarray, shown: tuple[float, float]) -> np.ndarray:
-    """Return the values in single precision; nonpositive and very large values become NaN, a gap in the curve."""
+def within(values: np.ndarray, limits: tuple[float, float]) -> np.ndarray:
+    """Return the values in single precision; nonpositive and very large values become NaN, a gap in the curve.
+
+    Parameters
+    ----------
+    values : the values of a curve
+    limits : the ends of its axis. Values up to a thousand times the upper end remain, so the curve leaves the figure.
+    """
     values = np.asarray(values, float)
-    top = 1e3 * shown[1]
-    return np.where((values > 0) & (values <= top), values, np.nan).astype(np.float32)
+    _lower, upper = limits
+    is_drawn = (values > 0) & (values <= 1e3 * upper)
+    return np.where(is_drawn, values, np.nan).astype(np.float32)
 
 
-def shown_range(curves: Iterable[np.ndarray], shown: tuple[float, float]) -> tuple[float, float]:
-    """Return the range of an axis: all positive finite values, within the given limits."""
+def shown_range(curves: Iterable[np.ndarray], limits: tuple[float, float]) -> tuple[float, float]:
+    """Return the range of an axis with all positive finite values, but not beyond the limits."""
+    lower, upper = limits
     # The first run has no values yet.
     values = np.concatenate([np.empty(0), *curves])
     values = values[np.isfinite(values) & (values > 0)]
-    low, high = (values.min(), values.max()) if values.size else shown
-    return max(shown[0], float(low) / 2), max(min(shown[1], float(high) * 2), 10 * shown[0])
+    low, high = (values.min(), values.max()) if values.size else limits
+    return max(lower, float(low) / 2), max(min(upper, float(high) * 2), 10 * lower)
 
 
 def logarithm(values: np.ndarray) -> np.ndarray:

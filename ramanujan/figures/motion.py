@@ -70,21 +70,23 @@ def time_panels(panels: Sequence[Panel], *, period: float, periods: int, colors:
     for place, (panel, domain) in enumerate(zip(panels, _domains(len(panels)), strict=True), start=1):
         axis = "y" if place == 1 else f"y{place}"
         for curve in panel.curves:
-            traces.append(_trace(curve, panel, axis, end, several=len(panels) > 1, named=curve.label not in labels))
+            traces.append(
+                _trace(curve, panel, axis, end, has_several_panels=len(panels) > 1, is_named=curve.label not in labels)
+            )
             labels.add(curve.label)
         title = _("{quantity} [{unit}]").format(quantity=panel.title, unit=panel.unit)
         axes[f"yaxis{axis[1:]}"] = _axis(title, panel.range, domain=domain, nticks=6, **_zero_line(colors))
-    end_of_one = _upright(period, {"color": colors["ink"], "width": 1, "dash": "dot"}, layer="below")
-    notes = [_above(period, _("one period"), font={"size": 12})]
+    end_of_first_period = _vertical_line(period, {"color": colors["ink"], "width": 1, "dash": "dot"}, layer="below")
+    notes = [_text_above(period, _("one period"), font={"size": 12})]
     at = {"text": "<i>t</i> = %{x:.4~g} s"}
-    along = _axis(_("time after release <i>t</i> [s]"), (0, end), anchor="free", position=0, unifiedhovertitle=at)
-    return _laid_out(
+    time_axis = _axis(_("time after release <i>t</i> [s]"), (0, end), anchor="free", position=0, unifiedhovertitle=at)
+    return _lay_out(
         traces,
         colors,
-        shapes=[end_of_one],
+        shapes=[end_of_first_period],
         annotations=notes,
         meta={"cursor": "time", "period": period, "periods": periods},
-        xaxis=along,
+        xaxis=time_axis,
         **axes,
         **legend(1 + _PERIOD_HEIGHT),
         # One small hover box for all panels hides little of the curves.
@@ -112,7 +114,7 @@ def phase_plane(
         for orbit, velocity in zip(orbits, velocities, strict=True)
     ]
     centred = {**_zero_line(colors), "nticks": 7}
-    return _laid_out(
+    return _lay_out(
         traces,
         colors,
         xaxis=_axis(_("displacement [cm]"), roomy([orbit.values for orbit in orbits]), **centred),
@@ -142,12 +144,12 @@ def friction_bars(
     words = [_("<b>slips</b>") if slip else "" for slip in slips]
     bars = horizontal_bars(needed.values(), contacts, words, {"color": list(body_colors), "line": outlines})
     present = f"<b><i>μ</i> = {fixed(friction_coefficient, 2)}</b>"
-    return _laid_out(
+    return _lay_out(
         [bars | {"width": 0.62, "hovertemplate": "%{x:.4~g}<extra></extra>"}],
         colors,
         height=260,
-        shapes=[_upright(friction_coefficient, {"color": colors["primary"], "width": 3})],
-        annotations=[_above(friction_coefficient, present, font={"color": colors["primary"]})],
+        shapes=[_vertical_line(friction_coefficient, {"color": colors["primary"], "width": 3})],
+        annotations=[_text_above(friction_coefficient, present, font={"color": colors["primary"]})],
         yaxis={"autorange": "reversed", "ticks": "", "showgrid": False, "fixedrange": True},
         # The range leaves room for the word at the end of the longest bar on a phone.
         xaxis=_axis(_("friction coefficient"), (0, 1.4 * longest), nticks=5),
@@ -161,9 +163,7 @@ def roomy(arrays: Sequence[np.ndarray]) -> tuple[float, float]:
     return float(least - margin), float(most + margin)
 
 
-def _laid_out(
-    traces: list[dict[str, Any]], colors: Mapping[str, str], *, height: int = _HEIGHT, **layout: Any
-) -> Drawn:
+def _lay_out(traces: list[dict[str, Any]], colors: Mapping[str, str], *, height: int = _HEIGHT, **layout: Any) -> Drawn:
     margin = {"t": _ABOVE, "b": _BELOW, "l": 64}
     return figure(traces, colors, height + _BELOW + _ABOVE, margin=margin, uirevision="stay", **layout)
 
@@ -178,28 +178,33 @@ def _zero_line(colors: Mapping[str, str]) -> dict[str, Any]:
     return {"zeroline": True, "zerolinecolor": colors["ink"], "zerolinewidth": 0.5}
 
 
-def _upright(x: float, line: dict[str, Any], **more: Any) -> dict[str, Any]:
+def _vertical_line(x: float, line: dict[str, Any], **more: Any) -> dict[str, Any]:
     """Return a vertical line at x through its panel."""
     ends = {"x0": x, "x1": x, "xref": "x", "y0": 0, "y1": 1, "yref": "y domain"}
     return {"type": "line", **ends, "line": line, **more}
 
 
-def _above(x: float, text: str, **more: Any) -> dict[str, Any]:
+def _text_above(x: float, text: str, **more: Any) -> dict[str, Any]:
     """Return words above the panels at x."""
     return {"x": x, "y": 1, "yref": "paper", "yanchor": "bottom", "text": text, "showarrow": False, **more}
 
 
 def _domains(panels: int) -> list[list[float]]:
     """Return the vertical domain of each panel, from top to bottom, in fractions of the plotting area."""
-    share = (1 - _GAP * (panels - 1)) / panels
-    lowest_first = [[number * (share + _GAP), number * (share + _GAP) + share] for number in range(panels)]
-    return [[low, min(1.0, high)] for low, high in reversed(lowest_first)]
+    height = (1 - _GAP * (panels - 1)) / panels
+    domains = []
+    for number_from_below in reversed(range(panels)):
+        low = number_from_below * (height + _GAP)
+        domains.append([low, min(1.0, low + height)])
+    return domains
 
 
-def _trace(curve: Curve, panel: Panel, axis: str, end: float, *, several: bool, named: bool) -> dict[str, Any]:
+def _trace(
+    curve: Curve, panel: Panel, axis: str, end: float, *, has_several_panels: bool, is_named: bool
+) -> dict[str, Any]:
     # TRANSLATORS: at a curve under the pointer: "hoop: 3.2 cm".
     hover = _("{name}: {value} {unit}").format(name=curve.name, value="%{y}", unit=panel.unit) + NO_NAME
-    if several and curve is panel.curves[0]:
+    if has_several_panels and curve is panel.curves[0]:
         # In the common hover box the first curve of each panel adds the panel's title.
         hover = f"<b>{panel.title}</b><br>{hover}"
     trace: dict[str, Any] = {
@@ -211,7 +216,7 @@ def _trace(curve: Curve, panel: Panel, axis: str, end: float, *, several: bool, 
         "yaxis": axis,
         "name": curve.label,
         "legendgroup": curve.label,
-        "showlegend": named,
+        "showlegend": is_named,
         "mode": "lines",
         "line": curve.look,
         # By default Plotly writes a space before the colon.

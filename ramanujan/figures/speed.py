@@ -7,7 +7,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from ramanujan.figures import Drawn, figure, legend, line, logarithmic, marks, note
-from ramanujan.figures.logarithmic import Colors, axis, level_line, log_axis, look_of, within
+from ramanujan.figures.logarithmic import Colors, axis, level_line, log_axis, method_look, within
 from ramanujan.numerals import number
 from ramanujan.translation import _, ngettext
 
@@ -75,47 +75,54 @@ def error_growth(
     colors : the theme's
     """
     hover = _AFTER.format(periods="%{x}", error="%{customdata}") + _NAMED
-    looks = {name: look_of(number, colors) for number, name in enumerate(names)}
+    looks = {name: method_look(number, colors) for number, name in enumerate(names)}
+    exact_periods, exact_errors = exact
     # Draw the chosen method last, above the others.
     ordered = sorted(curves, key=lambda name: name == chosen)
-    closed = _Line(_("closed form"), colors["ink"], "star", exact[0], exact[1], width=2, dash="dash")
-    ends = np.log10(
-        [exact[0][0], exact[0][-1], *(end for reach, *_errors in curves.values() for end in reach[[0, -1]])]
-    )
-    x_range = float(ends.min()), float(ends.max())
+    closed = _Line(_("closed form"), colors["ink"], "star", exact_periods, exact_errors, width=2, dash="dash")
+    all_periods = [exact_periods, *(periods for periods, _energy, _phase in curves.values())]
+    x_range = float(np.log10(min(map(np.min, all_periods)))), float(np.log10(max(map(np.max, all_periods))))
     traces, shapes = [], []
     axes: dict[str, Any] = {"xaxis": axis(_("periods"), x_range, type="log", dtick=1, anchor="y2")}
-    for name_of_axis, place, title, most, kind in (
-        ("y", _UPPER, _("energy error<br>|<i>E</i>/<i>E</i>₀ − 1|"), _ENERGY_MOST, 1),
-        ("y2", _LOWER, _("phase error [rad]"), _PHASE_MOST, 2),
+    for name_of_axis, place, title, most in (
+        ("y", _UPPER, _("energy error<br>|<i>E</i>/<i>E</i>₀ − 1|"), _ENERGY_MOST),
+        ("y2", _LOWER, _("phase error [rad]"), _PHASE_MOST),
     ):
+        is_phase = name_of_axis == "y2"
         lines = []
         for name in ordered:
+            periods, energy_errors, phase_errors = curves[name]
             width, opacity = (4, 1.0) if name == chosen else (2, 0.8)
-            lines.append(_Line(name, *looks[name], curves[name][0], curves[name][kind], width, opacity))
-        if name_of_axis == "y2":
+            errors = phase_errors if is_phase else energy_errors
+            lines.append(_Line(name, *looks[name], periods, errors, width, opacity))
+        if is_phase:
             lines.append(closed)
         drawn_axis, scale, low = logarithmic.axis_with_room(title, [curve.errors for curve in lines], most)
         for curve in lines:
-            own = {
+            properties = {
                 "name": curve.name,
                 "legendgroup": curve.name,
-                "showlegend": name_of_axis == "y2",
+                "showlegend": is_phase,
                 "yaxis": name_of_axis,
                 "mode": "lines+markers",
                 "marker": {"symbol": curve.symbol, "size": 8, "maxdisplayed": _MARKS},
                 "opacity": curve.opacity,
                 "hovertemplate": hover,
             }
-            own |= {"xhoverformat": ".4~g", "customdata": _written(curve.errors)}
-            drawn = line(curve.periods, scale(curve.errors), color=curve.color, width=curve.width, dash=curve.dash)
-            traces.append(drawn | own)
+            properties |= {"xhoverformat": ".4~g", "customdata": _format_numbers(curve.errors)}
+            trace = line(curve.periods, scale(curve.errors), color=curve.color, width=curve.width, dash=curve.dash)
+            traces.append(trace | properties)
         low_end, _high_end = drawn_axis["range"]
-        zone = {"x0": 0, "x1": 1, "xref": "x domain", "y0": low_end, "y1": low, "yref": name_of_axis}
-        gray = {"type": "rect", "line": {"width": 0}, "fillcolor": colors["faint"], "opacity": 0.4, "layer": "below"}
-        shapes.append(gray | zone)
+        shapes.append(_gray_band(low_end, low, colors) | {"yref": name_of_axis})
         axes[f"yaxis{name_of_axis[1:]}"] = drawn_axis | place
     return figure(traces, colors, _HIGH + 64, margin=_MARGIN, shapes=shapes, **legend(), **axes)
+
+
+def _gray_band(low: float, high: float, colors: Colors) -> dict[str, Any]:
+    """Return the background of the compressed part of an axis."""
+    ends = {"x0": 0, "x1": 1, "xref": "x domain", "y0": low, "y1": high}
+    gray = {"type": "rect", "line": {"width": 0}, "fillcolor": colors["faint"], "opacity": 0.4, "layer": "below"}
+    return gray | ends
 
 
 def work_precision(
@@ -138,36 +145,23 @@ def work_precision(
     tried : cost and error of runs with a small mark
     colors : the theme's
     """
-    traces, methods = [], list(dict.fromkeys(name for name, _dtype in curves))
     hover = _("cost {cost}, error {error}").format(cost="%{customdata[0]}", error="%{customdata[1]}") + _NAMED
-    marked = [np.array([tolerance, *(error for _cost, error, *_look in singled.values())])]
-    shown = logarithmic.shown_range([error for _cost, error, _n in curves.values()] + marked, (1e-17, 1e3))
-    for (name, dtype), (cost, error, steps) in curves.items():
-        color, symbol = look_of(methods.index(name), colors)
-        double = dtype == "float64"
-        width, dash = (2.5, "solid") if double else (1.5, "dot")
-        drawn = line(cost.astype(np.float32), within(error, shown), color=color, width=width, dash=dash)
-        own: dict[str, Any] = {
-            "mode": "lines+markers",
-            "marker": {"symbol": symbol if double else f"{symbol}-open", "size": 8},
-            "name": name,
-            "text": [_steps(dtype, int(n)) for n in steps],
-            "hovertemplate": f"%{{text}}<br>{hover}",
-            "customdata": _points(cost, error),
-            # A click on a name in the legend hides the method in both precisions.
-            "showlegend": double,
-            "legendgroup": name,
-        }
-        traces.append(drawn | own)
-    for x, y in tried:
-        mark = marks([x], [y], "diamond-open", 11, colors["ink"], width=2)
-        traces.append(mark | {"customdata": _points([x], [y]), "hovertemplate": hover, "showlegend": False})
-    for name, (x, y, symbol, size, color) in singled.items():
-        mark = marks([x], [max(y, shown[0])], symbol, size, colors[color], width=3)
-        traces.append(mark | {"name": name, "customdata": _points([x], [y]), "hovertemplate": hover})
-    reached = [end for cost, *_others in curves.values() for end in cost[[0, -1]]]
-    reached += [cost for cost, *_others in (*singled.values(), *tried)]
-    ends = min(reached), max(reached)
+    errors = [error for _cost, error, _steps in curves.values()]
+    marked_errors = [error for _cost, error, *_look in singled.values()]
+    shown = logarithmic.shown_range([*errors, np.array([tolerance, *marked_errors])], (1e-17, 1e3))
+    traces = _method_curves(curves, shown, hover, colors)
+    for cost, error in tried:
+        mark = marks([cost], [error], "diamond-open", 11, colors["ink"], width=2)
+        traces.append(mark | {"customdata": _points([cost], [error]), "hovertemplate": hover, "showlegend": False})
+    lowest, _highest = shown
+    for name, (cost, error, symbol, size, color) in singled.items():
+        mark = marks([cost], [max(error, lowest)], symbol, size, colors[color], width=3)
+        traces.append(mark | {"name": name, "customdata": _points([cost], [error]), "hovertemplate": hover})
+    costs: list[float] = [cost for cost, _error in tried]
+    costs += [cost for cost, _error, _symbol, _size, _color in singled.values()]
+    for costs_of_method, _error, _steps in curves.values():
+        costs += [costs_of_method[0], costs_of_method[-1]]
+    ends = min(costs), max(costs)
     traces.append(level_line(ends, tolerance, _("largest error allowed"), colors))
     x_range = float(np.log10(ends[0])) - 0.1, float(np.log10(ends[1])) + 0.1
     return figure(
@@ -181,6 +175,32 @@ def work_precision(
     )
 
 
+def _method_curves(
+    curves: Mapping[tuple[str, str], Curve], shown: tuple[float, float], hover: str, colors: Colors
+) -> list[dict[str, Any]]:
+    """Return the traces of the methods, for the range `shown` of the error axis."""
+    methods = list(dict.fromkeys(name for name, _dtype in curves))
+    traces = []
+    for (name, dtype), (cost, error, steps) in curves.items():
+        color, symbol = method_look(methods.index(name), colors)
+        is_double = dtype == "float64"
+        width, dash = (2.5, "solid") if is_double else (1.5, "dot")
+        curve = line(cost.astype(np.float32), within(error, shown), color=color, width=width, dash=dash)
+        properties: dict[str, Any] = {
+            "mode": "lines+markers",
+            "marker": {"symbol": symbol if is_double else f"{symbol}-open", "size": 8},
+            "name": name,
+            "text": [_describe_steps(dtype, int(n)) for n in steps],
+            "hovertemplate": f"%{{text}}<br>{hover}",
+            "customdata": _points(cost, error),
+            # A click on a name in the legend hides the method in both precisions.
+            "showlegend": is_double,
+            "legendgroup": name,
+        }
+        traces.append(curve | properties)
+    return traces
+
+
 def forms(strips: Mapping[str, Sequence[Part]], *, quantity: str, colors: Colors) -> Drawn:
     """Draw a strip for each form of Ω², divided into the ranges where the form is right, and where it fails.
 
@@ -190,22 +210,27 @@ def forms(strips: Mapping[str, Sequence[Part]], *, quantity: str, colors: Colors
     quantity : title of the horizontal axis, along which the parts are given as exponents of ten
     colors : the theme's
     """
-    rows = [(row, part) for row, parts in enumerate(strips.values()) for part in parts]
-    start, end = min(part.start for _row, part in rows), max(part.end for _row, part in rows)
+    rows: list[int] = []
+    parts: list[Part] = []
+    for row, parts_of_form in enumerate(strips.values()):
+        rows += [row] * len(parts_of_form)
+        parts += parts_of_form
+    start, end = min(part.start for part in parts), max(part.end for part in parts)
+    shortest_with_label = (end - start) / 20
     bars = {
         "type": "bar",
         "orientation": "h",
-        "y": [row for row, _part in rows],
-        "base": [part.start for _row, part in rows],
-        "x": [part.end - part.start for _row, part in rows],
+        "y": rows,
+        "base": [part.start for part in parts],
+        "x": [part.end - part.start for part in parts],
         "width": 2 * _HALF_STRIP,
         "marker": {
-            "color": [colors["primary"] if part.right else colors["ink"] for _row, part in rows],
+            "color": [colors["primary"] if part.right else colors["ink"] for part in parts],
             "line": {"color": colors["paper"], "width": 2},
         },
         # A part that is too short for a legible label has only a hover text.
-        "text": [part.word if part.end - part.start > (end - start) / 20 else "" for _row, part in rows],
-        "customdata": [part.word for _row, part in rows],
+        "text": [part.word if part.end - part.start > shortest_with_label else "" for part in parts],
+        "customdata": [part.word for part in parts],
         "textposition": "inside",
         "insidetextanchor": "middle",
         "textangle": 0,
@@ -230,12 +255,18 @@ def phase_errors(periods: Sequence[float], curves: Mapping[str, Sequence[float]]
     curves : name → phase error [rad]
     colors : the theme's
     """
-    traces, hover = [], _AFTER.format(periods="%{customdata[0]}", error="%{customdata[1]}\u202frad") + _NAMED
-    for (name, errors), look in zip(curves.items(), (1, 2, 3), strict=True):
-        color, symbol = look_of(look, colors)
-        own = {"name": name, "mode": "lines+markers", "marker": {"symbol": symbol, "size": 8}, "hovertemplate": hover}
-        points = {"customdata": _points(periods, errors)}
-        traces.append(line(list(periods), list(errors), color=color, width=3) | own | points)
+    hover = _AFTER.format(periods="%{customdata[0]}", error="%{customdata[1]}\u202frad") + _NAMED
+    traces = []
+    for index, (name, errors) in enumerate(curves.items(), start=1):
+        color, symbol = method_look(index, colors)
+        properties = {
+            "name": name,
+            "mode": "lines+markers",
+            "marker": {"symbol": symbol, "size": 8},
+            "hovertemplate": hover,
+            "customdata": _points(periods, errors),
+        }
+        traces.append(line(list(periods), list(errors), color=color, width=3) | properties)
     lost = _("half a turn: phase lost")
     traces.append(level_line([periods[0], periods[-1]], np.pi, lost, colors))
     x_range = float(np.log10(periods[0])), float(np.log10(periods[-1]))
@@ -246,14 +277,14 @@ def phase_errors(periods: Sequence[float], curves: Mapping[str, Sequence[float]]
 
 def _points(x: Iterable[float], y: Iterable[float]) -> list[list[str]]:
     """Return the formatted coordinates of each point."""
-    return [list(point) for point in zip(_written(x), _written(y), strict=True)]
+    return [list(point) for point in zip(_format_numbers(x), _format_numbers(y), strict=True)]
 
 
-def _written(values: Iterable[float]) -> list[str]:
+def _format_numbers(values: Iterable[float]) -> list[str]:
     """Return the formatted numbers. Plotly would write 3.2e-7 in every language."""
     return [number(float(value), 3, strip=True) for value in values]
 
 
-def _steps(dtype: str, n: int) -> str:
+def _describe_steps(dtype: str, n: int) -> str:
     sentence = ngettext("{dtype}, {n} step per period", "{dtype}, {n} steps per period", n)
     return sentence.format(dtype=dtype, n=n)

@@ -6,7 +6,7 @@ from typing import Any
 import numpy as np
 
 from ramanujan.figures import NO_NAME, NORMALIZED, Drawn, figure, horizontal_bars, line, marks, note
-from ramanujan.figures.oscillator import Mark, over_ratios, pointed
+from ramanujan.figures.oscillator import Mark, arrow_label, draw_over_ratios
 from ramanujan.translation import _
 
 
@@ -31,25 +31,31 @@ def level_crossing(
     present : ε and Ω²m/k of the present machine
     colors : ink, faint, paper, primary, top
     """
-    yours, hover = _("your machine"), f"<i>ε</i> = %{{x:.6g}}<br>{NORMALIZED} = %{{y:.6g}}<extra></extra>"
-    ring = marks([present[0]], [present[1]], "circle-open", 20, colors["primary"], width=3)
+    yours = _("your machine")
+    hover = f"<i>ε</i> = %{{x:.6g}}<br>{NORMALIZED} = %{{y:.6g}}<extra></extra>"
+    present_ratio, present_value = present
+    ring = marks([present_ratio], [present_value], "circle-open", 20, colors["primary"], width=3)
     traces = [
         line([ratios[0], ratios[-1]], [level] * 2, color=colors["ink"], dash="dot"),
         line(np.float32(ratios), np.float32(values), color=colors["primary"], width=3, shape="spline"),
         ring | {"hovertemplate": f"{yours}<br>{hover}"},
         marks([root], [level], "star", 16, colors["top"]),
     ]
-    left, right = ends = float(ratios[0]), float(ratios[-1])
+    left, right = float(ratios[0]), float(ratios[-1])
     # The label avoids the falling curve: to the right above its flat start, to the left above its flat end or below it.
     at_start = root < left + 0.4 * (right - left)
-    above = at_start or level < 0.35 * values[0]
-    to, side, other = ((22, -50), "left", "right") if at_start else ((-22, -50 if above else 40), "right", "left")
-    beside = {"xanchor": other, "yanchor": "bottom", "xshift": -6 if at_start else 6, "yshift": 3}
+    if at_start:
+        offset, side = (22, -50), "left"
+        level_end, beside = right, {"xanchor": "right", "xshift": -6}
+    else:
+        is_at_flat_end = level < 0.35 * values[0]
+        offset, side = (-22, -50 if is_at_flat_end else 40), "right"
+        level_end, beside = left, {"xanchor": "left", "xshift": 6}
     notes = [
-        pointed(Mark(root, level, root_label), to, side, colors),
-        note(level_label, None, right if at_start else left, level) | beside,
+        arrow_label(Mark(root, level, root_label), offset, side, colors),
+        note(level_label, None, level_end, level) | beside | {"yanchor": "bottom", "yshift": 3},
     ]
-    return over_ratios(traces, 1.3 * float(values[0]), hover, colors, {"range": ends}, annotations=notes)
+    return draw_over_ratios(traces, 1.3 * float(values[0]), hover, colors, {"range": (left, right)}, annotations=notes)
 
 
 def machine_grid(
@@ -70,13 +76,17 @@ def machine_grid(
     chosen : row and column of the marked machine
     colors : ink, faint, paper, primary, hoop, on_hoop
     """
+    # The cells row by row, as column and row. A cell's colour shows 0, 1, or at least 2 ways.
     cells = [(x, y) for y in range(len(rows)) for x in range(len(columns))]
     ways = np.minimum(ways, 2).tolist()
-    steps = [colors["faint"], colors["hoop"], colors["primary"]]
+    # A color scale with steps has each colour at both ends of its interval.
+    color_scale = []
+    for step, color in enumerate((colors["faint"], colors["hoop"], colors["primary"])):
+        color_scale += [[step / 3, color], [(step + 1) / 3, color]]
     table = {
         "type": "heatmap",
-        "z": [ways[n : n + len(columns)] for n in range(0, len(ways), len(columns))],
-        "colorscale": [[(n + side) / 3, color] for n, color in enumerate(steps) for side in (0, 1)],
+        "z": np.reshape(ways, (len(rows), len(columns))).tolist(),
+        "colorscale": color_scale,
         **{"zmin": 0, "zmax": 2, "xgap": 3, "ygap": 3, "showscale": False, "hoverinfo": "skip"},
     }
     # The numbers belong to marks, because a heatmap does not report clicks.
