@@ -17,7 +17,7 @@ from pathlib import Path
 import pytest
 
 from ramanujan.lesson import class_store, classes
-from ramanujan.lesson.class_codes import ALPHABET, read_code, voter_of
+from ramanujan.lesson.class_codes import ALPHABET, hash_browser, read_code
 from ramanujan.lesson.classes import (
     CLASSES,
     DAY,
@@ -421,15 +421,15 @@ def test_a_voter_without_a_seat_cannot_vote(school, opened):
 def test_a_browser_is_a_different_voter_in_each_class(school, opened):
     """Three tabs of one phone share one vote. Another phone has a second vote."""
     other = school.open_class()
-    tabs = [school.join(opened.code, voter_of("phone", opened.code.lower())) for _ in range(3)]
-    neighbour = school.join(opened.code, voter_of("another phone", opened.code))
+    tabs = [school.join(opened.code, hash_browser("phone", opened.code.lower())) for _ in range(3)]
+    neighbour = school.join(opened.code, hash_browser("another phone", opened.code))
     for seat, option in zip(tabs, OPTIONS, strict=True):
         school.vote(seat, "faster", option)
     school.vote(neighbour, "faster", "plain")
     school.show(opened.key, Phase.REVEALED)
     assert school.distribution(opened.code, "faster") == {"machine": 0, "plain": 1, "neither": 1}
     assert school.question(opened.code).present == 2
-    assert school.join(other.code, voter_of("phone", other.code)).voter != tabs[0].voter
+    assert school.join(other.code, hash_browser("phone", other.code)).voter != tabs[0].voter
 
 
 def test_students_with_a_recent_request_count_as_present(school, opened, clock):

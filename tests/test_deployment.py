@@ -15,7 +15,7 @@ from streamlit.proto.BackMsg_pb2 import BackMsg
 from streamlit.proto.ForwardMsg_pb2 import ForwardMsg
 
 from ramanujan.lesson import classes
-from ramanujan.lesson.class_codes import network_of
+from ramanujan.lesson.class_codes import hash_network
 from ramanujan.shell.browser_cookie import NAME
 from tests.browser import CHROMIUM, get, settle, wait_for_start
 from tests.deployed import HAPROXY, deployed
@@ -106,7 +106,7 @@ def test_a_visitor_is_identified_by_the_address_from_the_proxy(hall: deployed) -
         for number in range(4):
             thread.submit(asyncio.run, join("127.0.0.2", f"10.0.0.{number}")).result()
         thread.submit(asyncio.run, join("127.0.0.3", "127.0.0.2")).result()
-    assert networks() == {network_of("127.0.0.2", opened.code): 4, network_of("127.0.0.3", opened.code): 1}
+    assert networks() == {hash_network("127.0.0.2", opened.code): 4, hash_network("127.0.0.3", opened.code): 1}
 
 
 def test_over_https_a_first_visit_is_small(hall: deployed, chromium: object) -> None:

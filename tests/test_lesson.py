@@ -230,8 +230,8 @@ def test_the_explanations_quote_the_right_numbers():
 
 def test_the_samples_of_a_wrong_motion_are_those_of_its_run():
     for method, steps in computing.STEPS.items():
-        shown = computing.samples(method)
-        q = computing.computed(method).q
+        shown = computing.sample_history(method)
+        q = computing.compute_history(method).q
         assert np.allclose(shown["q"], q[:: steps // shown["per_period"]], rtol=0, atol=1e-5)
         assert len(shown["q"]) <= 1100
 
@@ -275,7 +275,7 @@ def test_the_replies_are_computed_for_this_machine():
 
 
 def test_the_program_of_the_last_stop_is_the_formula_of_the_question():
-    formula = re.search(r"console.log\((.*)\);", computing.program(), re.DOTALL)[1].strip()
+    formula = re.search(r"console.log\((.*)\);", computing.program_text(), re.DOTALL)[1].strip()
     for m, m_prime, k in ((1.0, 2.0, 3.0), (4.0, 0.5, 7.0), (1.0, 1e200, 1.0)):
         with np.errstate(all="ignore"):
             values = {"m": np.float64(m), "M": np.float64(m_prime), "k": np.float64(k)}
@@ -457,7 +457,7 @@ def test_last_stop_quotes_the_output_of_its_program():
     assert math.copysign(1, value) == -1
     stop = lesson.stop("huge-ratio")
     assert "−0" in stop.explanation()
-    assert computing.program() in stop.outcome
+    assert computing.program_text() in stop.outcome
     assert "\n// -0\n" in stop.outcome
     assert "-0\n" not in stop.exhibit
 

@@ -1,15 +1,14 @@
 """Tasks with an answer to type or to choose: a time, a measurement, a formula, a method, three bodies."""
 
 from functools import cache
-from itertools import count
 
 from ramanujan.accuracy.work_precision import WorkPrecision, work_precision
 from ramanujan.accuracy.work_precision import cheapest as cheapest_runs
 from ramanujan.answers import judge as judge_formula
 from ramanujan.energy import energies
 from ramanujan.integrators import METHODS
-from ramanujan.lesson.stop import FREQUENCY, after
-from ramanujan.lesson.task import Attempt, Task, TaskVerdict, missed, near
+from ramanujan.lesson.stop import FREQUENCY, state_after
+from ramanujan.lesson.task import Attempt, Task, TaskVerdict, compare_with_goal, miss_goal
 from ramanujan.number_theory import BodyChoice, machines, sums_of_two_cubes
 from ramanujan.numerals import filled, number
 from ramanujan.translation import _
@@ -28,7 +27,7 @@ def half_energy(attempt: Attempt) -> TaskVerdict:
     """Judge the spring's share of the energy after a part of a period."""
     if attempt.part is None or not 0 <= attempt.part <= 1:
         return TaskVerdict(False, _("Type a number between 0 and 1, such as 0.3 or 1/3."), is_judged=False)
-    stored = energies(attempt.machine, *after(attempt.part, attempt.machine, attempt.compression))
+    stored = energies(attempt.machine, *state_after(attempt.part, attempt.machine, attempt.compression))
     share = float(stored["spring"]) / sum(map(float, stored.values()))
     sentences = (
         _("At that moment the spring holds {share:3 %} of the energy."),
@@ -36,14 +35,14 @@ def half_energy(attempt: Attempt) -> TaskVerdict:
         _("At that moment the spring holds {share:3 %} of the energy. That is {off} of the total too little."),
     )
     # TRANSLATORS: the spring holds none of the energy.
-    return near(share - 0.5, HALF, sentences, "%", share=share if share > NOTHING else _("none"))
+    return compare_with_goal(share - 0.5, HALF, sentences, "%", share=share if share > NOTHING else _("none"))
 
 
 def measured_period(attempt: Attempt) -> TaskVerdict:
     """Judge a measurement of the period with a stopwatch."""
     period = attempt.machine.period
     if period < TOO_FAST:
-        return missed(_("This machine is so fast that it is shown in slow motion. Make the spring softer."))
+        return miss_goal(_("This machine is so fast that it is shown in slow motion. Make the spring softer."))
     if attempt.seconds is None or attempt.seconds <= 0:
         start = _("Start the stopwatch at a turning point, and stop it after as many periods as you like.")
         return TaskVerdict(False, start, is_judged=False)
@@ -53,7 +52,7 @@ def measured_period(attempt: Attempt) -> TaskVerdict:
         _("You measured {measured:4 s} for one period. That is {off} too long."),
         _("You measured {measured:4 s} for one period. That is {off} too short."),
     )
-    return near(measured / period - 1, STOPWATCH, sentences, "%", measured=measured)
+    return compare_with_goal(measured / period - 1, STOPWATCH, sentences, "%", measured=measured)
 
 
 def exact_ratio(attempt: Attempt) -> TaskVerdict:
@@ -65,23 +64,23 @@ def exact_ratio(attempt: Attempt) -> TaskVerdict:
 
 
 @cache
-def race(method: str, steps: int) -> WorkPrecision:
-    """Return the phase error and the number of evaluations of one run."""
+def run_integrator(method: str, steps: int) -> WorkPrecision:
+    """Return the phase error and the number of evaluations of a method with a number of steps per period."""
     return work_precision(method, periods=PERIODS, steps_per_period=[steps], error_kind="phase")
 
 
 @cache
-def races() -> tuple[WorkPrecision, ...]:
+def run_all_integrators() -> tuple[WorkPrecision, ...]:
     """Return the phase errors and evaluations of every method at every number of steps; takes some seconds."""
     return tuple(work_precision(method, periods=PERIODS, error_kind="phase") for method in METHODS)
 
 
 def cheapest(attempt: Attempt) -> TaskVerdict:
     """Judge a method and its number of steps: the error first, then the cost."""
-    chosen = race(attempt.method, attempt.steps)
+    chosen = run_integrator(attempt.method, attempt.steps)
     error, cost = chosen.error.item(), chosen.evaluations.item()
     if error > WITHIN:
-        return missed(
+        return miss_goal(
             _(
                 "The computed machine is up to {error:2↑} of a turn away from the exact one. At most {goal:1↑} is "
                 "allowed."
@@ -93,8 +92,9 @@ def cheapest(attempt: Attempt) -> TaskVerdict:
         _("It stays within {error:2↑} of a turn. No method here needs fewer than {cost} evaluations of the force."),
         _("It stays within {error:2↑} of a turn. But {cost} evaluations are {times:3} times as many as necessary."),
     )
-    fewest = cheapest_runs(races(), WITHIN)[0].evaluations
-    return near(cost - fewest, 0, sentences, error=error, cost=cost, times=cost / fewest)
+    best, *_others = cheapest_runs(run_all_integrators(), WITHIN)
+    fewest = best.evaluations
+    return compare_with_goal(cost - fewest, 0, sentences, error=error, cost=cost, times=cost / fewest)
 
 
 def two_cubes(attempt: Attempt) -> TaskVerdict:
@@ -102,15 +102,23 @@ def two_cubes(attempt: Attempt) -> TaskVerdict:
     choice = BodyChoice(*attempt.bodies)
     value = choice.discriminant
     if value == BodyChoice().discriminant:
-        return missed(_("This is the paper’s machine with its {number}. Can you find another one?"), number=value)
+        return miss_goal(_("This is the paper’s machine with its {number}. Can you find another one?"), number=value)
     if choice.cubes:
         return TaskVerdict(
             True,
             filled(_("The number of this machine is {n} = {pair[0]}³ + {pair[1]}³."), n=value, pair=choice.cubes[0]),
         )
-    off = next(d for d in count(1) if sums_of_two_cubes(value + d) or (value > d and sums_of_two_cubes(value - d)))
+    off = _distance_to_sum_of_cubes(value)
     sentence = _("The number of this machine is {number}. The nearest sum of two positive cubes is {off} away.")
-    return missed(sentence, number=value, off=off)
+    return miss_goal(sentence, number=value, off=off)
+
+
+def _distance_to_sum_of_cubes(value: int) -> int:
+    """Return the distance of a number from the nearest sum of two positive cubes."""
+    distance = 1
+    while not (sums_of_two_cubes(value + distance) or (value > distance and sums_of_two_cubes(value - distance))):
+        distance += 1
+    return distance
 
 
 TASKS = (

@@ -1,7 +1,7 @@
 """Stops 6 to 9: the directions of motion, and the distribution of the energy."""
 
 from ramanujan.energy import energies
-from ramanujan.lesson.stop import COMPRESSION, EQUAL, FREQUENCY, Onward, Stop, after, by_sign
+from ramanujan.lesson.stop import COMPRESSION, EQUAL, FREQUENCY, Onward, Stop, choose_by_sign, state_after
 from ramanujan.motion import ground_positions, ground_velocities, relative_positions, relative_velocities
 from ramanujan.translation import _
 
@@ -9,7 +9,7 @@ _CM = 100.0
 _BODIES = ("slab", "block", "hoop", "top")
 
 
-def _velocities() -> dict[str, float]:
+def _velocity_numbers() -> dict[str, float]:
     """Return velocities and a momentum at three quarters of a period, when the slab moves to the right.
 
     Returns
@@ -18,25 +18,26 @@ def _velocities() -> dict[str, float]:
     block : velocity relative to the ground, positive to the left [cm/s]
     momentum : momentum of slab and lower rollers if the block were at rest [kg m/s]
     """
-    rates = after(3 / 4)[1]
-    slab = float(relative_velocities(EQUAL, rates)["slab"])
+    _q, q_dot = state_after(3 / 4)
+    slab = float(relative_velocities(EQUAL, q_dot)["slab"])
     return {
         "slab": _CM * slab,
-        "block": -_CM * float(ground_velocities(EQUAL, rates)["block"]),
+        "block": -_CM * float(ground_velocities(EQUAL, q_dot)["block"]),
         # The two lower rollers are half as fast as the slab.
         "momentum": (EQUAL.m + EQUAL.m_prime) * slab,
     }
 
 
-def _block() -> str:
-    moves = _velocities()
-    share = moves["block"] / moves["slab"]
-    return by_sign(share if abs(share) > 1e-3 else 0, "same", "rest", "opposite")
+def _find_direction_of_block() -> str:
+    velocities = _velocity_numbers()
+    ratio = velocities["block"] / velocities["slab"]
+    return choose_by_sign(ratio if abs(ratio) > 1e-3 else 0, "same", "rest", "opposite")
 
 
-def _paths() -> dict[str, float]:
+def _path_numbers() -> dict[str, float]:
     """Return the distances that a lower roller's centre and the block cover in half a period [cm]."""
-    start, end = after(0.0)[0], after(0.5)[0]
+    start, _q_dot = state_after(0.0)
+    end, _q_dot = state_after(0.5)
     over_block = _CM * abs(float(relative_positions(EQUAL, start)["hoop"] - relative_positions(EQUAL, end)["hoop"]))
     over_ground = _CM * abs(float(ground_positions(EQUAL, start)["hoop"] - ground_positions(EQUAL, end)["hoop"]))
     return {
@@ -47,8 +48,8 @@ def _paths() -> dict[str, float]:
     }
 
 
-def _rollers() -> str:
-    paths = _paths()
+def _compare_paths() -> str:
+    paths = _path_numbers()
     share = paths["over_ground"] / paths["over_block"]
     if share > 1.1:
         return "more"
@@ -57,9 +58,9 @@ def _rollers() -> str:
     return "half" if share > 0.25 else "tenth"
 
 
-def _stored(part: float) -> dict[str, float]:
+def _energy_shares(part: float) -> dict[str, float]:
     """Return the shares of the energy in the bodies and in the spring after this part of a period."""
-    terms = {name: float(value) for name, value in energies(EQUAL, *after(part)).items()}
+    terms = {name: float(value) for name, value in energies(EQUAL, *state_after(part)).items()}
     total = sum(terms.values())
     shares = {}
     for body in (*_BODIES, "spring"):
@@ -68,9 +69,11 @@ def _stored(part: float) -> dict[str, float]:
     return shares
 
 
-def _turning() -> str:
-    spring = _stored(0.5)["spring"]
-    return "spring" if spring > 0.99 else "half" if spring > 0.4 else "bodies"
+def _find_energy_at_turning_point() -> str:
+    share = _energy_shares(0.5)["spring"]
+    if share > 0.99:
+        return "spring"
+    return "half" if share > 0.4 else "bodies"
 
 
 STOPS = (
@@ -94,13 +97,13 @@ STOPS = (
                 "outside could have changed that?"
             ),
         },
-        answer=_block,
+        answer=_find_direction_of_block,
         why=_(
             "The floor has no friction, so nothing outside pushes the machine to either side. Its momentum stays zero. "
             "The slab moves right at {slab:3 cm/s} relative to the block, so the block moves left at {block:3 cm/s}. "
             "The centre of mass stays where it is."
         ),
-        numbers=_velocities,
+        numbers=_velocity_numbers,
         hints=(_("Which horizontal forces act on the machine as a whole?"),),
         purpose=_("Conservation of momentum gives the answer, without any calculation."),
         expect=_("Some let the slab carry the block along, as friction would on a rough floor."),
@@ -136,13 +139,13 @@ STOPS = (
                 "way does the block move?"
             ),
         },
-        answer=_rollers,
+        answer=_compare_paths,
         why=_(
             "A centre moves {over_block:3 cm} to the left relative to the block. Meanwhile the block moves {block:3 "
             "cm} to the right. Relative to the ground, only {over_ground:3 cm} is left. The lower rollers spin almost "
             "on the spot."
         ),
-        numbers=_paths,
+        numbers=_path_numbers,
         hints=(
             _(
                 "Add two velocities: that of a centre relative to the block, and that of the block relative to the "
@@ -180,15 +183,15 @@ STOPS = (
                 "release. How much energy does that take?"
             ),
         },
-        answer=_turning,
+        answer=_find_energy_at_turning_point,
         why=_(
             "Half a period after the release the spring holds {spring:3 %} of the energy. Released from rest, all "
             "bodies follow the same cosine. They all stop at the same instants, so none of them has kinetic energy "
             "then."
         ),
         numbers=lambda: {
-            "spring": _stored(0.5)["spring"],
-            "stretch": _CM * abs(float(relative_positions(EQUAL, after(0.5)[0])["slab"])),
+            "spring": _energy_shares(0.5)["spring"],
+            "stretch": _CM * abs(float(relative_positions(EQUAL, state_after(0.5)[0])["slab"])),
         },
         hints=(_("If the slab rests relative to the block, how fast do the lower rollers turn?"),),
         purpose=_("Released from rest, only one mode is excited, so all bodies stop together."),
@@ -218,15 +221,15 @@ STOPS = (
                 "block. Which body does the spring push directly?"
             ),
         },
-        answer=lambda: max(_BODIES, key=_stored(0.25).__getitem__),
+        answer=lambda: max(_BODIES, key=_energy_shares(0.25).__getitem__),
         why=_(
             "In the middle the slab holds {slab:2 %} of the energy and the hoop {hoop:2 %}. The block holds {block:2 "
             "%}, the top cylinder {top:2 %}. The slab is the fastest body. The hoop hardly travels, but it spins and "
             "has the largest moment of inertia for its mass."
         ),
         numbers=lambda: {
-            **_stored(0.25),
-            "block_speed": _CM * abs(float(ground_velocities(EQUAL, after(0.25)[1])["block"])),
+            **_energy_shares(0.25),
+            "block_speed": _CM * abs(float(ground_velocities(EQUAL, state_after(0.25)[1])["block"])),
         },
         hints=(
             _("Kinetic energy grows with the square of the speed. Which body is the fastest relative to the ground?"),

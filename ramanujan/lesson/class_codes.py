@@ -25,55 +25,56 @@ def read_code(text: str, letters: int = LETTERS) -> str | None:
     >>> read_code(" bcd-fhj ")
     'BCDFHJ'
     """
-    code = _bare(text)
+    code = _keep_letters(text)
     return code if len(code) == letters and set(code) <= set(ALPHABET) else None
 
 
-def foreign_to_codes(text: str) -> str:
-    """Return the first letter or digit of a typed code that no code contains, or an empty string.
+def first_foreign_letter(text: str) -> str:
+    """Return the first letter or digit of a typed code that is not in `ALPHABET`.
 
-    A text of another length than a code also returns an empty string.
+    The result is empty if there is none, or if the text does not have the length of a code.
 
-    >>> foreign_to_codes("bcd-fae"), foreign_to_codes("bcd")
+    >>> first_foreign_letter("bcd-fae"), first_foreign_letter("bcd")
     ('A', '')
     """
-    code = _bare(text)
+    code = _keep_letters(text)
     if len(code) != LETTERS:
         return ""
     return next((letter for letter in code if letter not in ALPHABET), "")
 
 
-def spaced(code: str) -> str:
+def group_code(code: str) -> str:
     """Return a code in two groups, which are easy to read aloud.
 
-    >>> spaced("BCDFHJ")
+    >>> group_code("BCDFHJ")
     'BCD FHJ'
     """
-    return f"{code[: len(code) // 2]} {code[len(code) // 2 :]}"
+    half = len(code) // 2
+    return f"{code[:half]} {code[half:]}"
 
 
-def key_of(code: str, secret: str) -> str:
+def join_key(code: str, secret: str) -> str:
     """Return the lecturer's key to the class with this code."""
     return f"{code}-{secret}"
 
 
-def parts_of(key: str) -> tuple[str, str]:
-    """Return the code and the secret of a key; of a code without a secret, the second string is empty."""
+def split_key(key: str) -> tuple[str, str]:
+    """Return the code and the secret of a key. For a code without a secret, the second string is empty."""
     code, _hyphen, secret = key.partition("-")
     return code, secret
 
 
-def hash_of(secret: str) -> str:
+def hash_secret(secret: str) -> str:
     """Return the hash of a secret. The database stores only this hash, so a leaked copy contains no key."""
     return hashlib.sha256(secret.encode()).hexdigest()
 
 
-def voter_of(browser: str, code: str) -> str:
+def hash_browser(browser: str, code: str) -> str:
     """Return the name of a browser in one class, a hash, so that the names in two classes cannot be linked."""
     return _hash_in_class(code, browser) if browser else ""
 
 
-def network_of(address: str, code: str) -> str:
+def hash_network(address: str, code: str) -> str:
     """Return the hash of a visitor's network, with which a class counts the seats of one network.
 
     A provider assigns a household a whole range of IPv6 addresses, so only the first 64 bits count.
@@ -92,6 +93,6 @@ def _hash_in_class(code: str, text: str) -> str:
     return hashlib.sha256(f"{read_code(code)}:{text}".encode()).hexdigest()[:16]
 
 
-def _bare(text: str) -> str:
+def _keep_letters(text: str) -> str:
     """Return the letters and digits of a text, in capitals."""
     return "".join(filter(str.isalnum, text[:_LONGEST].upper()))

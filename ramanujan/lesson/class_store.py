@@ -25,6 +25,7 @@ _LOG = logging.getLogger(__name__)
 PATIENCE = 10.0
 """The timeout of a call to a busy or restarting database [s]."""
 POSTGRES = ("postgresql://", "postgres://")
+"""The beginnings of the address of a PostgreSQL server."""
 
 # Both databases accept these statements. `asking` and `number` are the fields of a `class_states.Vote`.
 _FIRST_SCHEMA = """
@@ -67,7 +68,7 @@ class SeatError(ClassError):
     """An action that needs a seat in the class."""
 
 
-def place() -> str:
+def database_address() -> str:
     """Return the file or address of the database: RAMANUJAN_CLASSES, or a file in the user's data folder."""
     default = _data_folder() / "ramanujan" / "classes.sqlite"
     return os.environ.get("RAMANUJAN_CLASSES") or str(default)
@@ -85,9 +86,10 @@ def _data_folder() -> Path:
     return Path(configured if os.path.isabs(configured) else os.path.expanduser(folder))
 
 
-def store_at(where: str | Path) -> "Store":
+def store_at(address: str | Path) -> "Store":
     """Return the store for a file path or the address of a PostgreSQL server."""
-    return PostgresStore(str(where)) if str(where).startswith(POSTGRES) else SqliteStore(Path(where))
+    is_postgres = str(address).startswith(POSTGRES)
+    return PostgresStore(str(address)) if is_postgres else SqliteStore(Path(address))
 
 
 class Store:
@@ -99,7 +101,7 @@ class Store:
 
     def read(self, query: str, values: Sequence[Any] = ()) -> list[tuple[Any, ...]]:
         """Return all rows of a query."""
-        with self._errors_as_sentences(), self.connection() as connection:
+        with self._raise_class_errors(), self.connection() as connection:
             return self.execute(connection, query, values).fetchall()
 
     @contextmanager
@@ -108,7 +110,7 @@ class Store:
 
         No other process writes during the transaction, so a row stays up to date between a read and a write.
         """
-        with self._errors_as_sentences(), self.connection() as connection, self._transaction(connection):
+        with self._raise_class_errors(), self.connection() as connection, self._transaction(connection):
             yield lambda query, values=(): self.execute(connection, query, values)
 
     def exists(self) -> bool:
@@ -140,7 +142,8 @@ class Store:
             raise
 
     @contextmanager
-    def _errors_as_sentences(self) -> Iterator[None]:
+    def _raise_class_errors(self) -> Iterator[None]:
+        """Raise `ClassError` for an error of the database or of its file."""
         failures: tuple[type[Exception], ...] = (*self.errors, OSError)
         try:
             yield

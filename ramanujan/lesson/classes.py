@@ -24,7 +24,7 @@ from typing import Any
 
 from ramanujan.lesson import class_codes
 from ramanujan.lesson.class_states import END, Class, ClassQuestion, ClassResult, Phase, Seat, Seats, Vote
-from ramanujan.lesson.class_store import ClassError, CrowdError, SeatError, place, store_at
+from ramanujan.lesson.class_store import ClassError, CrowdError, SeatError, database_address, store_at
 from ramanujan.translation import _
 
 STUDENTS = 500
@@ -48,13 +48,13 @@ MINUTE = 60.0
 _ID = re.compile(r"[a-z0-9_-]{1,40}", re.ASCII)
 _Execute = Callable[..., Any]
 
-_PRESENTLY = "SELECT COUNT(*) FROM voter WHERE voter.code = class.code AND heard > ?"
+_COUNT_PRESENT = "SELECT COUNT(*) FROM voter WHERE voter.code = class.code AND heard > ?"
 _QUESTION = f"""
 SELECT stop, asking, number, COALESCE(phase, 0), COALESCE(reached, 0),
        (SELECT COUNT(*) FROM vote JOIN voter ON voter.code = vote.code AND voter.voter = vote.voter
         WHERE vote.code = class.code AND vote.stop = class.stop AND vote.asking = class.asking
         AND vote.number = class.number AND heard > ?),
-       ({_PRESENTLY})
+       ({_COUNT_PRESENT})
 FROM class LEFT JOIN question USING (code, stop, asking, number) WHERE code = ? AND expires > ?
 """
 _CHANGES = """
@@ -72,12 +72,13 @@ _THIS_VOTE = "code = ? AND stop = ? AND asking = ? AND number = ?"
 class Classes:
     """All classes of one database.
 
-    where : a file's path, or a PostgreSQL server's address
+    address : the path of a file, or the address of a PostgreSQL server
     clock : seconds since 1970, the same for all processes
     """
 
-    def __init__(self, where: str | Path, clock: Callable[[], float] = time.time) -> None:
-        self._store, self._clock = store_at(where), clock
+    def __init__(self, address: str | Path, clock: Callable[[], float] = time.time) -> None:
+        self._store = store_at(address)
+        self._clock = clock
 
     # ---- the lecturer
 
@@ -96,23 +97,25 @@ class Classes:
         ClassError : a limit is reached.
         """
         secret = secrets.token_urlsafe(class_codes.SECRET_BYTES)
-        now, network = self._clock(), class_codes.network_of(address, "")
+        now, network = self._clock(), class_codes.hash_network(address, "")
         with self._store.writing() as execute:
-            self._forget(execute)
-            # `_forget` has removed the networks of classes opened more than a minute ago.
-            if _count(execute, "class WHERE network = ?", network) >= NETWORK_SEATS:
+            self._delete_old(execute)
+            # `_delete_old` has removed the networks of classes opened more than a minute ago.
+            if _count_rows(execute, "class WHERE network = ?", network) >= NETWORK_SEATS:
                 sentence = _("{most} classes were opened from your network within a minute. Try again in a minute.")
                 raise CrowdError(sentence.format(most=NETWORK_SEATS))
-            if _count(execute, "class") >= CLASSES and not execute(_REMOVE_UNUSED).rowcount:
-                raise ClassError(_("This server has no room for another class at the moment. Try again later."))
+            if _count_rows(execute, "class") >= CLASSES:
+                removed = execute(_REMOVE_UNUSED).rowcount
+                if not removed:
+                    raise ClassError(_("This server has no room for another class at the moment. Try again later."))
             code = class_codes.new_code()
-            while _count(execute, "class WHERE code = ?", code):
+            while _count_rows(execute, "class WHERE code = ?", code):
                 code = class_codes.new_code()
             execute(
                 "INSERT INTO class (code, key_hash, expires, opened, network, was_joined) VALUES (?, ?, ?, ?, ?, 0)",
-                (code, class_codes.hash_of(secret), now + lifetime, now, network),
+                (code, class_codes.hash_secret(secret), now + lifetime, now, network),
             )
-        return Class(code, class_codes.key_of(code, secret))
+        return Class(code, class_codes.join_key(code, secret))
 
     def close(self, key: str) -> None:
         """Delete a class and all its rows."""
@@ -122,10 +125,10 @@ class Classes:
 
     def code_of(self, key: str) -> str:
         """Return the code of the class that belongs to a lecturer's key."""
-        code, secret = class_codes.parts_of(key)
+        code, secret = class_codes.split_key(key)
         rows = self._store.read("SELECT key_hash FROM class WHERE code = ? AND expires > ?", (code, self._clock()))
         # A comparison in constant time reveals nothing about the hash.
-        if not rows or not secrets.compare_digest(rows[0][0], class_codes.hash_of(secret)):
+        if not rows or not secrets.compare_digest(rows[0][0], class_codes.hash_secret(secret)):
             raise ClassError(_("This lecturer’s address belongs to no class. The class may have ended."))
         return code
 
@@ -139,16 +142,22 @@ class Classes:
             raise ValueError(_("The ids of {stop} must have small letters, digits, - and _ only.").format(stop=stop))
         with self._store.writing() as execute:
             query = "SELECT asking, number FROM question WHERE code = ? AND stop = ? ORDER BY asking DESC, number DESC"
-            last = Vote(*(execute(query, (code, stop)).fetchone() or Vote(0)))
-            vote = last if last.asking and not anew else Vote(last.asking + 1)
-            self._begin(execute, code, stop, vote, " ".join(options))
+            row = execute(query, (code, stop)).fetchone()
+            if row is None:
+                vote = Vote()
+            elif anew:
+                asking, _number = row
+                vote = Vote(asking + 1)
+            else:
+                vote = Vote(*row)
+            self._begin_vote(execute, code, stop, vote, " ".join(options))
 
     def show(self, key: str, phase: Phase) -> None:
         """Show the current question in a phase, which may be earlier; after REVEALED it takes no more answers."""
         code = self.code_of(key)
         with self._store.writing() as execute:
-            stop, vote, *_rest = _present(execute, code)
-            present = execute(f"{_PRESENTLY.replace('class.code', '?')}", (code, self._lately)).fetchone()[0]
+            stop, vote, _options, _reached = _read_current(execute, code)
+            present = _count_rows(execute, "voter WHERE code = ? AND heard > ?", code, self._earliest_presence)
             # Without a condition on `number`, a second vote is shown together with the first.
             execute(
                 "UPDATE question SET present = CASE WHEN reached = 0 THEN ? ELSE present END, phase = ?, "
@@ -158,26 +167,26 @@ class Classes:
 
     def finish(self, key: str) -> None:
         """Take the class to the end of the lesson, `END`."""
-        self._set(key, stop=END)
+        self._update_class(key, stop=END)
 
     def ask_again(self, key: str) -> None:
         """Begin the second vote on the current question and close the first."""
         code = self.code_of(key)
         with self._store.writing() as execute:
-            stop, vote, options, reached = _present(execute, code)
+            stop, vote, options, reached = _read_current(execute, code)
             if reached == Phase.SOLVED:
                 raise ClassError(_("The class has already seen the right answer to this question."))
             if vote.is_second:
                 raise ClassError(_("The class has already voted twice on this question."))
-            self._begin(execute, code, stop, vote._replace(number=2), options)
+            self._begin_vote(execute, code, stop, vote._replace(number=2), options)
 
     def set_machine(self, key: str, machine: str) -> None:
         """Store the values of the lecturer's sliders, as a URL query, for the wall."""
-        self._set(key, machine=machine)
+        self._update_class(key, machine=machine)
 
     def set_view(self, key: str, view: str) -> None:
         """Store the desk's view of the machine and the current time, for all screens."""
-        self._set(key, seen=view, seen_at=self._clock())
+        self._update_class(key, seen=view, seen_at=self._clock())
 
     def results_for_lecturer(self, key: str) -> list[ClassResult]:
         """Return the `results` of the class that belongs to a key."""
@@ -190,16 +199,17 @@ class Classes:
             "ORDER BY asked, asking, number",
             (code, int(least)),
         )
-        present_at = {(stop, Vote(asking, number)): present for stop, asking, number, *_rest, present in rows}
+        present_at = {(stop, Vote(asking, number)): present for stop, asking, number, _options, _at, present in rows}
         results = []
         for stop, asking, number, options, at, present in rows:
             vote = Vote(asking, number)
             if vote.is_second:
                 continue
-            first, second = self._votes(code, stop, vote, options), None
+            first = self._count_votes(code, stop, vote, options)
+            second = None
             second_vote = vote._replace(number=2)
             if (stop, second_vote) in present_at:
-                second = self._votes(code, stop, second_vote, options)
+                second = self._count_votes(code, stop, second_vote, options)
                 present = present_at[stop, second_vote]
             results.append(ClassResult(stop, at, present, first, second))
         return results
@@ -208,27 +218,29 @@ class Classes:
         """Return the numbers of seats, and whether more students may join."""
         code = self.code_of(key)
         query = (
-            f"SELECT (SELECT COUNT(*) FROM voter WHERE voter.code = class.code), ({_PRESENTLY}), (SELECT COUNT(*) "
+            f"SELECT (SELECT COUNT(*) FROM voter WHERE voter.code = class.code), ({_COUNT_PRESENT}), (SELECT COUNT(*) "
             "FROM voter WHERE voter.code = class.code AND joined > ?), is_open FROM class WHERE code = ?"
         )
-        taken, present, lately, is_open = self._store.read(query, (self._lately, self._clock() - MINUTE, code))[0]
+        taken, present, lately, is_open = self._store.read(
+            query, (self._earliest_presence, self._clock() - MINUTE, code)
+        )[0]
         return Seats(taken, present, lately, bool(is_open))
 
     def let_join(self, key: str, is_open: bool) -> None:
         """Open or close the class to new students; a student with a seat stays."""
-        self._set(key, is_open=int(is_open))
+        self._update_class(key, is_open=int(is_open))
 
     def remove_absent(self, key: str) -> None:
         """Remove all absent students, and their answers to the current question while its result is hidden."""
         code = self.code_of(key)
         absent = "voter IN (SELECT voter FROM voter WHERE code = ? AND heard <= ?)"
         with self._store.writing() as execute:
-            if _count(execute, "class JOIN question USING (code, stop, asking, number) WHERE code = ?", code):
-                stop, vote, _options, reached = _present(execute, code)
+            if _count_rows(execute, "class JOIN question USING (code, stop, asking, number) WHERE code = ?", code):
+                stop, vote, _options, reached = _read_current(execute, code)
                 if reached == Phase.ASKED:
-                    values = (code, stop, *vote, code, self._lately)
+                    values = (code, stop, *vote, code, self._earliest_presence)
                     execute(f"DELETE FROM vote WHERE {_THIS_VOTE} AND {absent}", values)
-            execute("DELETE FROM voter WHERE code = ? AND heard <= ?", (code, self._lately))
+            execute("DELETE FROM voter WHERE code = ? AND heard <= ?", (code, self._earliest_presence))
 
     # ---- a student
 
@@ -249,12 +261,12 @@ class Classes:
         """
         class_code = class_codes.read_code(code)
         if class_code is None:
-            raise ClassError(_no_code(code))
+            raise ClassError(_explain_wrong_code(code))
         seat = None
         if self._store.read("SELECT 1 FROM class WHERE code = ?", (class_code,)):
             with self._store.writing() as execute:
-                self._forget(execute)
-                seat = self._seat(execute, class_code, voter, class_codes.network_of(address, class_code))
+                self._delete_old(execute)
+                seat = self._take_seat(execute, class_code, voter, class_codes.hash_network(address, class_code))
         if seat is None:
             raise ClassError(_no_such_class())
         return seat
@@ -291,15 +303,15 @@ class Classes:
         """
         code, voter = seat.code, seat.voter
         with self._store.writing() as execute:
-            if not _count(execute, "class WHERE code = ? AND expires > ?", code, self._clock()):
+            if not _count_rows(execute, "class WHERE code = ? AND expires > ?", code, self._clock()):
                 raise ClassError(_no_such_class())
-            if not _count(execute, "voter WHERE code = ? AND voter = ?", code, voter):
+            if not _count_rows(execute, "voter WHERE code = ? AND voter = ?", code, voter):
                 raise SeatError(_no_seat())
             # After a lost connection a browser repeats an answer that counts already.
             same_answer = f"vote WHERE {_THIS_VOTE} AND voter = ? AND option = ?"
-            if vote and _count(execute, same_answer, code, stop, *vote, voter, option):
+            if vote and _count_rows(execute, same_answer, code, stop, *vote, voter, option):
                 return
-            current_stop, current_vote, options, reached = _present(execute, code)
+            current_stop, current_vote, options, reached = _read_current(execute, code)
             if current_stop != stop:
                 raise ClassError(_("Your answer came too late: the class has gone on to another question."))
             if reached > Phase.ASKED:
@@ -322,7 +334,7 @@ class Classes:
 
         Every phone calls this every few seconds, so it is one read by keys.
         """
-        rows = self._store.read(_QUESTION, (self._lately, self._lately, code, self._clock()))
+        rows = self._store.read(_QUESTION, (self._earliest_presence, self._earliest_presence, code, self._clock()))
         if not rows:
             raise ClassError(_("The class has ended."))
         stop, asking, number, phase, reached, answered, present = rows[0]
@@ -359,7 +371,7 @@ class Classes:
         return view, self._clock() - (stored_at or 0.0)
 
     def distribution(self, code: str, stop: str, vote: Vote | None = None) -> dict[str, int]:
-        """Return option → number of votes, in the order of the options; by default of the last vote on the screens."""
+        """Return option → number of votes, by default of the last vote whose result has been shown."""
         query = (
             "SELECT options, asking, number FROM question WHERE code = ? AND stop = ? AND reached > 0 "
             "ORDER BY asking DESC, number DESC"
@@ -367,7 +379,7 @@ class Classes:
         for options, asking, number in self._store.read(query, (code, stop)):
             shown = Vote(asking, number)
             if vote in (None, shown):
-                return self._votes(code, stop, shown, options)
+                return self._count_votes(code, stop, shown, options)
         raise ClassError(_("The result of this question has not been shown yet."))
 
     def changes(self, code: str, stop: str, right: str, asking: int = 1) -> Counter[tuple[bool, bool]]:
@@ -392,33 +404,37 @@ class Classes:
         """Delete the expired classes; without a database, do nothing."""
         if self._store.exists():
             with self._store.writing() as execute:
-                self._forget(execute)
+                self._delete_old(execute)
 
     # ---- inside
 
     @property
-    def _lately(self) -> float:
+    def _earliest_presence(self) -> float:
+        """A student whose last request is later counts as present [s since 1970]."""
         return self._clock() - PRESENT
 
-    def _set(self, key: str, **columns: object) -> None:
+    def _update_class(self, key: str, **columns: object) -> None:
         """Set columns of the lecturer's class."""
-        code, names = self.code_of(key), ", ".join(f"{name} = ?" for name in columns)
+        code = self.code_of(key)
+        assignments = ", ".join(f"{name} = ?" for name in columns)
         with self._store.writing() as execute:
-            execute(f"UPDATE class SET {names} WHERE code = ?", (*columns.values(), code))
+            execute(f"UPDATE class SET {assignments} WHERE code = ?", (*columns.values(), code))
 
-    def _votes(self, code: str, stop: str, vote: Vote, options: str) -> dict[str, int]:
+    def _count_votes(self, code: str, stop: str, vote: Vote, options: str) -> dict[str, int]:
+        """Return option → number of votes; `options` are separated by spaces."""
         query = f"SELECT option, COUNT(*) FROM vote WHERE {_THIS_VOTE} GROUP BY option"
         votes = dict(self._store.read(query, (code, stop, *vote)))
         return {option: votes.get(option, 0) for option in options.split()}
 
-    def _forget(self, execute: _Execute) -> None:
+    def _delete_old(self, execute: _Execute) -> None:
         """Delete the expired classes, and the networks of visitors who joined more than a minute ago."""
         execute("DELETE FROM class WHERE expires <= ?", (self._clock(),))
         earlier = self._clock() - MINUTE
         execute("UPDATE class SET network = NULL WHERE network IS NOT NULL AND opened <= ?", (earlier,))
         execute("UPDATE voter SET network = NULL WHERE network IS NOT NULL AND joined <= ?", (earlier,))
 
-    def _begin(self, execute: _Execute, code: str, stop: str, vote: Vote, options: str) -> None:
+    def _begin_vote(self, execute: _Execute, code: str, stop: str, vote: Vote, options: str) -> None:
+        """Make a vote the current one of a class, and create it if it is new."""
         execute(
             "INSERT INTO question (code, stop, asking, number, options, asked) VALUES (?, ?, ?, ?, ?, ?) "
             "ON CONFLICT DO NOTHING",
@@ -426,7 +442,7 @@ class Classes:
         )
         execute("UPDATE class SET stop = ?, asking = ?, number = ? WHERE code = ?", (stop, *vote, code))
 
-    def _seat(self, execute: _Execute, code: str, voter: str, network: str) -> Seat | None:
+    def _take_seat(self, execute: _Execute, code: str, voter: str, network: str) -> Seat | None:
         """Return the old or a new seat of a visitor, None if the class has just ended."""
         mark_present = "UPDATE voter SET heard = ? WHERE code = ? AND voter = ?"
         if execute(mark_present, (self._clock(), code, voter)).rowcount:
@@ -437,10 +453,10 @@ class Classes:
         (is_open,) = row
         if not is_open:
             raise ClassError(_("The lecturer has closed this class to newcomers. Ask for it to be opened."))
-        if _count(execute, "voter WHERE code = ?", code) >= STUDENTS:
+        if _count_rows(execute, "voter WHERE code = ?", code) >= STUDENTS:
             raise ClassError(_("This class is full: it has {most} students.").format(most=STUDENTS))
-        # `_forget` has removed the networks of students who joined more than a minute ago.
-        if _count(execute, "voter WHERE code = ? AND network = ?", code, network) >= NETWORK_SEATS:
+        # `_delete_old` has removed the networks of students who joined more than a minute ago.
+        if _count_rows(execute, "voter WHERE code = ? AND network = ?", code, network) >= NETWORK_SEATS:
             sentence = _(
                 "{most} students of your network have joined within a minute. This page joins by itself in a moment."
             )
@@ -453,21 +469,21 @@ class Classes:
 
 
 @cache
-def _of(where: str) -> Classes:
-    return Classes(where)
+def _open_classes(address: str) -> Classes:
+    return Classes(address)
 
 
 def shared() -> Classes:
     """Return the classes of this server."""
-    return _of(place())
+    return _open_classes(database_address())
 
 
-def _count(execute: _Execute, condition: str, *values: object) -> int:
-    """Return the number of rows; the condition is "table WHERE …"."""
+def _count_rows(execute: _Execute, condition: str, *values: object) -> int:
+    """Return the number of rows. The condition is the rest of the statement, "table WHERE …"."""
     return execute(f"SELECT COUNT(*) FROM {condition}", values).fetchone()[0]
 
 
-def _present(execute: _Execute, code: str) -> tuple[str, Vote, str, Phase]:
+def _read_current(execute: _Execute, code: str) -> tuple[str, Vote, str, Phase]:
     """Return the current stop, its vote, its options, and the phase it has reached."""
     query = (
         "SELECT stop, asking, number, options, reached FROM class JOIN question USING (code, stop, asking, number) "
@@ -480,9 +496,9 @@ def _present(execute: _Execute, code: str) -> tuple[str, Vote, str, Phase]:
     return stop, Vote(asking, number), options, Phase(reached)
 
 
-def _no_code(text: str) -> str:
+def _explain_wrong_code(text: str) -> str:
     """Return a sentence about the error in a text that is not a code."""
-    letter = class_codes.foreign_to_codes(text)
+    letter = class_codes.first_foreign_letter(text)
     if letter:
         sentence = _("No class code contains {letter}. Look at the projector and type the code again.")
         return sentence.format(letter=letter)

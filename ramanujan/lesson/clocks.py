@@ -3,7 +3,7 @@
 import math
 
 from ramanujan.energy import energies
-from ramanujan.lesson.stop import EQUAL, Onward, Run, Stop, after, by_sign
+from ramanujan.lesson.stop import EQUAL, Onward, Run, Stop, choose_by_sign, state_after
 from ramanujan.numerals import filled
 from ramanujan.oscillator import Oscillator
 from ramanujan.translation import _
@@ -20,26 +20,26 @@ _TOTAL = 3 * EQUAL.m + 2 * EQUAL.m_prime
 """Mass of the five bodies [kg]."""
 
 
-def lead(machine: Oscillator) -> float:
+def turns_ahead(machine: Oscillator) -> float:
     """Return the machine's lead over the plain mass after `_PERIODS` periods of the plain mass [turns]."""
     return _PERIODS * (math.sqrt(machine.normalized_frequency_squared) - 1)
 
 
-def spin_share(machine: Oscillator) -> float:
+def rotation_share(machine: Oscillator) -> float:
     """Return the share of the lower rollers' rotation in the kinetic energy, which is constant in time."""
-    stored = energies(machine, *after(1 / 4, machine))
+    stored = energies(machine, *state_after(1 / 4, machine))
     kinetic = sum(float(value) for name, value in stored.items() if name != "spring")
     return float(stored["hoop_rotation"] + stored["cylinder_rotation"]) / kinetic
 
 
-def _first_lead() -> str:
-    turns = lead(EQUAL)
-    return ("far_" if abs(turns) > 1 else "") + by_sign(turns, "behind", "together", "ahead")
+def _compare_with_plain_mass() -> str:
+    turns = turns_ahead(EQUAL)
+    return ("far_" if abs(turns) > 1 else "") + choose_by_sign(turns, "behind", "together", "ahead")
 
 
-def _stiffer() -> str:
+def _compare_stiffer() -> str:
     gain = STIFF.normalized_frequency_squared - EQUAL.normalized_frequency_squared
-    return by_sign(gain, "less", "same", "more")
+    return choose_by_sign(gain, "less", "same", "more")
 
 
 STOPS = (
@@ -71,14 +71,14 @@ STOPS = (
                 "from period to period. After how many periods is it a full turn?"
             ),
         },
-        answer=_first_lead,
+        answer=_compare_with_plain_mass,
         why=_(
             "After ten periods of the plain mass the machine’s hand is {turns:2} of a full turn ahead. All bodies "
             "together have a mass of {total:1 kg}, but the spring feels only {shown.effective_mass:3 kg}. Block and "
             "slab move in opposite directions. The centres of the lower rollers hardly move at all."
         ),
         given={"total": _TOTAL, "ratio": _TOTAL / EQUAL.m},
-        numbers=lambda: {"turns": lead(EQUAL), "slow": _PERIODS * (1 - math.sqrt(EQUAL.m / _TOTAL))},
+        numbers=lambda: {"turns": turns_ahead(EQUAL), "slow": _PERIODS * (1 - math.sqrt(EQUAL.m / _TOTAL))},
         hints=(
             _(
                 "Suppose the spring had to move all five bodies as one. The period would then be √{ratio:1} times as "
@@ -115,7 +115,7 @@ STOPS = (
                 "instead of {equal.effective_mass:3 kg}. Which body takes up less energy now?"
             ),
         },
-        answer=lambda: by_sign(
+        answer=lambda: choose_by_sign(
             LIGHT.natural_frequency_squared - EQUAL.natural_frequency_squared, "falls", "same", "rises"
         ),
         why=_(
@@ -123,7 +123,7 @@ STOPS = (
             "lower rollers hardly travel, but they spin. With equal masses their spin holds {spin:2 %} of the kinetic "
             "energy. With light rollers it holds only {light_spin:2 %}, so the spring has less to set in motion."
         ),
-        numbers=lambda: {"spin": spin_share(EQUAL), "light_spin": spin_share(LIGHT)},
+        numbers=lambda: {"spin": rotation_share(EQUAL), "light_spin": rotation_share(LIGHT)},
         hints=(_("What does a roller do besides moving from place to place?"),),
         purpose=_("Students learn to separate travelling from spinning."),
         expect=_("Those who noticed that the lower rollers hardly move often answer that their mass cannot matter."),
@@ -153,13 +153,13 @@ STOPS = (
                 "{shown.effective_mass:3 kg}. What do the rollers do besides travelling?"
             ),
         },
-        answer=lambda: by_sign(lead(HEAVY), "plain", "neither", "machine"),
+        answer=lambda: choose_by_sign(turns_ahead(HEAVY), "plain", "neither", "machine"),
         why=_(
             "Ω²m/k is now {shown.normalized_frequency_squared:3}. After ten periods of the plain mass the machine’s "
             "hand is {turns:3} full turns behind. At ε = {equal.mass_ratio:1} the machine was faster, at ε = "
             "{shown.mass_ratio:1} it is slower. Somewhere between these ratios the two are in step."
         ),
-        numbers=lambda: {"turns": -lead(HEAVY)},
+        numbers=lambda: {"turns": -turns_ahead(HEAVY)},
         hints=(_("With light rollers the machine became faster. What does that tell you about heavy ones?"),),
         purpose=_("The order of the two clocks changes, so there must be a ratio at which they agree."),
         expect=_("Most get it right after the previous stop. Ask for the argument with the intermediate value."),
@@ -186,7 +186,7 @@ STOPS = (
                 "faster, too. By which factor does each of them turn faster?"
             ),
         },
-        answer=_stiffer,
+        answer=_compare_stiffer,
         why=_(
             "The machine’s period falls from {equal.period:3 s} to {shown.period:3 s}, and that of the plain mass by "
             "the same factor. Ω² and k/m both contain k exactly once, so k drops out of their quotient. It is "
@@ -219,7 +219,7 @@ STOPS = (
                 "large. What does that do to the energy ½Iω²?"
             ),
         },
-        answer=lambda: by_sign(
+        answer=lambda: choose_by_sign(
             EQUAL.natural_frequency_squared - LARGE.natural_frequency_squared, "shorter", "same", "longer"
         ),
         why=_(

@@ -31,65 +31,67 @@ _SHOWN = 50
 
 
 @cache
-def computed(method: str) -> History:
+def compute_history(method: str) -> History:
     """Return the run of one of the two methods."""
     return error_history(method, STEPS[method], PERIODS)
 
 
-def energy_factor(method: str) -> float:
+def final_energy_ratio(method: str) -> float:
     """Return the energy after the run as a multiple of the initial energy; the exact value is 1."""
-    return 1 + float(computed(method).energy_error[-1])
+    return 1 + float(compute_history(method).energy_error[-1])
 
 
-def samples(method: str) -> dict[str, object]:
+def sample_history(method: str) -> dict[str, object]:
     """Return the samples of the computed motion for the stage."""
-    every = max(STEPS[method] // _SHOWN, 1)
-    return {"per_period": STEPS[method] // every, "q": computed(method).q[::every].round(5).tolist()}
+    steps_per_sample = max(STEPS[method] // _SHOWN, 1)
+    q = compute_history(method).q[::steps_per_sample]
+    return {"per_period": STEPS[method] // steps_per_sample, "q": q.round(5).tolist()}
 
 
-def _steps() -> str:
-    errors = {method: abs(energy_factor(method) - 1) for method in STEPS}
+def _find_worse_method() -> str:
+    errors = {method: abs(final_energy_ratio(method) - 1) for method in STEPS}
     worst = max(errors, key=errors.__getitem__)
     if min(errors.values()) > errors[worst] / 2:
         return "both"
     return "euler" if worst == "explicit_euler" else "verlet"
 
 
-def _errors() -> dict[str, object]:
+def _error_numbers() -> dict[str, object]:
+    """Return the final energy with both methods, and the errors of velocity Verlet in energy and phase."""
     return {
-        "grown": energy_factor("explicit_euler"),
-        "kept": energy_factor("velocity_verlet"),
-        "off": abs(energy_factor("velocity_verlet") - 1),
-        "turns": abs(float(computed("velocity_verlet").phase_error[-1])) / math.tau,
+        "grown": final_energy_ratio("explicit_euler"),
+        "kept": final_energy_ratio("velocity_verlet"),
+        "off": abs(final_energy_ratio("velocity_verlet") - 1),
+        "turns": abs(float(compute_history("velocity_verlet").phase_error[-1])) / math.tau,
     }
 
 
-def returned_value() -> float:
+def evaluate_paper_form() -> float:
     """Evaluate the paper's form of Ω² at ε = `HUGE` in double precision."""
     with np.errstate(all="ignore"):
         [value] = FORMS["paper"].evaluate(np.array([1.0]), np.array([HUGE]), np.array([1.0]))
     return float(value)
 
 
-def _truth() -> float:
+def _exact_value() -> float:
     return Oscillator(m=1.0, m_prime=HUGE, k=1.0).natural_frequency_squared
 
 
-def _huge() -> str:
-    value = returned_value()
+def _judge_returned_value() -> str:
+    value = evaluate_paper_form()
     if math.isnan(value) or math.isinf(value):
         return "message"
     if value == 0:
         return "zero"
-    return "right" if math.isclose(value, _truth(), rel_tol=1e-9) else "wrong"
+    return "right" if math.isclose(value, _exact_value(), rel_tol=1e-9) else "wrong"
 
 
-def printed() -> str:
+def printed_output() -> str:
     """Return the output of the program; like JavaScript, Python prints the sign of a zero."""
-    return f"{returned_value():g}"
+    return f"{evaluate_paper_form():g}"
 
 
-def program() -> str:
+def program_text() -> str:
     """Return the program of the last stop, in JavaScript."""
     formula = FORMS["paper"].formula.replace("m′", "M").replace("²", "**2").replace("−", "-")
     formula = re.sub(r"(\d)([mMk(])", r"\1*\2", formula).replace(" - ", "\n    - ")
@@ -117,21 +119,21 @@ STOPS = (
                 "which of them do the errors of the steps cancel?"
             ),
         },
-        answer=_steps,
+        answer=_find_worse_method,
         why=_(
             "After {periods} periods explicit Euler has multiplied the energy by {grown:2}, although it takes {many} "
             "steps per period. Velocity Verlet takes {few}, and its energy is off by {off:1 %}. Explicit Euler adds "
             "energy in every step. Velocity Verlet preserves areas in the phase plane, so its energy error stays "
             "bounded. It is not exact either: its phase error has grown to {turns:2} of a full turn."
         ),
-        numbers=_errors,
+        numbers=_error_numbers,
         hints=(_("Does a method that is slightly wrong in every step err in the same direction each time?"),),
         purpose=_("The structure of a method can matter more than its step size [4]."),
         expect=_("Nearly everyone trusts the thousand steps. Ask where the additional energy comes from."),
         short=True,
         minutes=3,
         runs=tuple(
-            Run(EQUAL, COMPRESSION, METHODS[method].title, samples=partial(samples, method)) for method in STEPS
+            Run(EQUAL, COMPRESSION, METHODS[method].title, samples=partial(sample_history, method)) for method in STEPS
         ),
         onward=Onward(_("Measure the methods on the page Speed and accuracy"), "speed", {"method": "explicit_euler"}),
     ),
@@ -159,14 +161,14 @@ STOPS = (
                 "than {largest:2}. What does the denominator become?"
             ),
         },
-        answer=_huge,
+        answer=_judge_returned_value,
         why=_(
             "The formula squares m + m′. At ε = {ratio} this square is larger than every double-precision number, so "
             "it becomes infinity, and the denominator becomes −∞. Division by −∞ gives {printed}: a zero with a sign. "
             "JavaScript prints it without a warning. The right value is {truth:3}. It is small, but it is an ordinary "
             "number for a computer. A formula that first divides m by m′ finds it without trouble."
         ),
-        numbers=lambda: {"truth": _truth(), "printed": printed().replace("-", "−")},
+        numbers=lambda: {"truth": _exact_value(), "printed": printed_output().replace("-", "−")},
         hints=(_("The largest double-precision number is about {largest:2}. What is the square of {ratio}?"),),
         purpose=_("A correct formula can fail without a warning."),
         expect=_(
@@ -175,8 +177,8 @@ STOPS = (
             "could happen."
         ),
         runs=(Run(_DRAWN, label=_LABEL),),
-        exhibit=f"```js\n{program()}\n```",
-        outcome=f"```js\n{program()}\n// {printed()}\n```",
+        exhibit=f"```js\n{program_text()}\n```",
+        outcome=f"```js\n{program_text()}\n// {printed_output()}\n```",
         onward=Onward(_("See where each formula fails on the page Speed and accuracy"), "speed"),
     ),
 )

@@ -7,13 +7,14 @@ import numpy as np
 
 from ramanujan.contact import first_to_slip, largest_compression
 from ramanujan.frequency import UNIT_MASS_RATIO, mass_ratio_for
-from ramanujan.lesson.stop import FREQUENCY, after
-from ramanujan.lesson.task import Attempt, Task, TaskVerdict, missed, near
+from ramanujan.lesson.stop import FREQUENCY, state_after
+from ramanujan.lesson.task import Attempt, Task, TaskVerdict, compare_with_goal, miss_goal
 from ramanujan.motion import ground_positions, ground_velocities, motion, with_initial_velocities
 from ramanujan.numerals import filled, number
 from ramanujan.oscillator import drawn_spacing
 from ramanujan.translation import _
 
+# The goals of the tasks and their tolerances.
 IN_STEP = 1e-3
 NINE_EIGHTHS = 9 / 8
 EXACTLY = 1e-9
@@ -41,7 +42,7 @@ def in_step(attempt: Attempt) -> TaskVerdict:
         _("Ω²m/k = {value:5}. The machine is too fast by {off}; the goal is {goal:1}."),
         _("Ω²m/k = {value:5}. The machine is too slow by {off}; the goal is {goal:1}."),
     )
-    return near(value - 1, IN_STEP, sentences, value=value, goal=IN_STEP)
+    return compare_with_goal(value - 1, IN_STEP, sentences, value=value, goal=IN_STEP)
 
 
 def nine_eighths(attempt: Attempt) -> TaskVerdict:
@@ -51,8 +52,8 @@ def nine_eighths(attempt: Attempt) -> TaskVerdict:
     if off <= EXACTLY:
         return TaskVerdict(True, _("Ω²m/k is 9/8. The mass ratio is a fraction here, without any root."))
     if off > IN_STEP:
-        return missed(_("Ω²m/k = {value:7}. That is {off:2} away from 9/8."), value=value, off=off)
-    return missed(
+        return miss_goal(_("Ω²m/k = {value:7}. That is {off:2} away from 9/8."), value=value, off=off)
+    return miss_goal(
         _("Ω²m/k = {value:7}, only {off:2} away. Which fraction is that mass ratio? Type it into the box of m′."),
         value=value,
         off=off,
@@ -62,14 +63,16 @@ def nine_eighths(attempt: Attempt) -> TaskVerdict:
 def half_way(attempt: Attempt) -> TaskVerdict:
     """Judge the slab's share of the compression when the spring is relaxed, relative to the ground."""
     machine = attempt.machine
-    states = after(np.array([0, 1 / 4]), machine, attempt.compression)[0]
-    travel = {body: abs(float(x[1] - x[0])) for body, x in ground_positions(machine, states).items()}
+    q, _q_dot = state_after(np.array([0, 1 / 4]), machine, attempt.compression)
+    travel = {}
+    for body, (start, relaxed) in ground_positions(machine, q).items():
+        travel[body] = abs(float(relaxed - start))
     share = travel["slab"] / (travel["slab"] + travel["block"])
     sentences = (
         _("Slab and block go equally far: the slab covers {slab:4 %} of x₀, the block {block:4 %}."),
         _("The slab covers {slab:4 %} of x₀, the block {block:4 %}. The slab goes {off} farther than half of x₀."),
     )
-    return near(2 * share - 1, HALF_WAY, sentences, "%", slab=share, block=1 - share)
+    return compare_with_goal(2 * share - 1, HALF_WAY, sentences, "%", slab=share, block=1 - share)
 
 
 def parting(attempt: Attempt) -> TaskVerdict:
@@ -77,13 +80,15 @@ def parting(attempt: Attempt) -> TaskVerdict:
     gained = abs(math.sqrt(attempt.machine.normalized_frequency_squared) - 1)
     periods = 1 / gained if gained else math.inf
     if periods > 1e6:
-        return missed(_("The hands stay together: the machine is in step. The goal is one full turn in ten periods."))
+        return miss_goal(
+            _("The hands stay together: the machine is in step. The goal is one full turn in ten periods.")
+        )
     sentences = (
         _("The hands are one full turn apart after {periods:4} periods of the plain mass."),
         _("The hands are one full turn apart after {periods:3} periods of the plain mass, {off} too late."),
         _("The hands are one full turn apart after {periods:3} periods of the plain mass, {off} too early."),
     )
-    return near(periods - PARTING, PARTING * PARTING_TOLERANCE, sentences, periods=periods)
+    return compare_with_goal(periods - PARTING, PARTING * PARTING_TOLERANCE, sentences, periods=periods)
 
 
 def two_seconds(attempt: Attempt) -> TaskVerdict:
@@ -94,20 +99,21 @@ def two_seconds(attempt: Attempt) -> TaskVerdict:
         _("The period is {period:4 s}, too long by {off}."),
         _("The period is {period:4 s}, too short by {off}."),
     )
-    return near(period - PERIOD, PERIOD * PERIOD_TOLERANCE, sentences, "s", period=period)
+    return compare_with_goal(period - PERIOD, PERIOD * PERIOD_TOLERANCE, sentences, "s", period=period)
 
 
 def no_slip(attempt: Attempt) -> TaskVerdict:
     """Judge whether x₀ is just below the largest compression without slip, for μ = `FRICTION`."""
-    machine, spacing = attempt.machine, drawn_spacing(attempt.machine.radius)
+    machine = attempt.machine
+    spacing = drawn_spacing(machine.radius)
     room = largest_compression(machine, FRICTION, spacing=spacing) - attempt.compression
     if room < 0:
-        return missed(_CONTACTS[first_to_slip(machine, attempt.compression, spacing)], off=-_CM * room)
+        return miss_goal(_CONTACTS[first_to_slip(machine, attempt.compression, spacing)], off=-_CM * room)
     sentences = (
         _("Every contact rolls, and with {off} more the first one would slip."),
         _("Every contact rolls, but x₀ could be larger by {off}."),
     )
-    return near(room, CLOSE, sentences, "cm")
+    return compare_with_goal(room, CLOSE, sentences, "cm")
 
 
 def top_at_rest(attempt: Attempt) -> TaskVerdict:
@@ -115,16 +121,19 @@ def top_at_rest(attempt: Attempt) -> TaskVerdict:
     machine = attempt.machine
     initial = with_initial_velocities(machine, attempt.release, attempt.glide, attempt.spin)
     times = np.linspace(0.0, _JUDGED_PERIODS * machine.period, 64 * _JUDGED_PERIODS + 1)
-    states, rates = motion(machine, initial, times)
-    path = ground_positions(machine, states)["top"]
+    q, q_dot = motion(machine, initial, times)
+    path = ground_positions(machine, q)["top"]
     away = float(np.abs(path - path[0]).max())
-    if float(np.abs(ground_velocities(machine, rates)["block"]).max()) < MOVING:
-        return missed(_("Everything is at rest. The block must move at {least:1 cm/s} or faster."), least=_CM * MOVING)
+    largest_velocity = float(np.abs(ground_velocities(machine, q_dot)["block"]).max())
+    if largest_velocity < MOVING:
+        return miss_goal(
+            _("Everything is at rest. The block must move at {least:1 cm/s} or faster."), least=_CM * MOVING
+        )
     sentences = (
         _("The top cylinder stays where it is relative to the ground, while the block moves below it."),
         _("Within {periods} periods the top cylinder moves up to {away:2↑ cm} away from its place."),
     )
-    return near(away, RESTING, sentences, periods=_JUDGED_PERIODS, away=_CM * away)
+    return compare_with_goal(away, RESTING, sentences, periods=_JUDGED_PERIODS, away=_CM * away)
 
 
 TASKS = (

@@ -23,13 +23,13 @@ _CONTACTS = {
 }
 
 
-def zero_modes(machine: Oscillator) -> int:
+def count_zero_modes(machine: Oscillator) -> int:
     """Return the number of independent motions that do not deform the spring."""
     stiffness = machine.stiffness_matrix
     return stiffness.shape[0] - int(np.linalg.matrix_rank(stiffness))
 
 
-def _friction() -> dict[str, object]:
+def _friction_numbers() -> dict[str, object]:
     """Return the numbers of the stop on friction.
 
     Returns
@@ -78,13 +78,13 @@ STOPS = (
                 "There are three coordinates, but the spring does not leave all of them free. Which one does it resist?"
             ),
         },
-        answer=lambda: ("none", "one", "two", "three")[zero_modes(EQUAL)],
+        answer=lambda: ("none", "one", "two", "three")[count_zero_modes(EQUAL)],
         why=_(
             "The machine has three coordinates, X, φ and Φ, and one spring. The spring resists only φ. In the first "
             "zero mode the whole machine glides. In the second one the top cylinder rolls freely. That makes "
             "{count:word} zero modes beside one oscillating mode. To each zero mode belongs a conserved momentum."
         ),
-        numbers=lambda: {"count": zero_modes(EQUAL)},
+        numbers=lambda: {"count": count_zero_modes(EQUAL)},
         hints=(_("A motion oscillates only if it deforms the spring. Which motions leave the spring as it is?"),),
         purpose=_("The answer prepares the spectrum: one oscillating mode and two zero modes."),
         expect=_("“One” is common: the gliding machine is found first, the rolling top cylinder is overlooked."),
@@ -130,7 +130,7 @@ STOPS = (
             "with μ = {next:3}. The hoop has the largest moment of inertia, so it needs the largest force to spin it "
             "up. At the release only {load:2 %} of the slab’s weight presses on it."
         ),
-        numbers=_friction,
+        numbers=_friction_numbers,
         hints=(_("Friction has to spin each roller up. Which lower roller resists that more?"),),
         purpose=_("Friction has a purpose here: it makes the rollers turn."),
         expect=_(

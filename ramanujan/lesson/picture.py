@@ -96,8 +96,8 @@ def machine_tikz(machine: Oscillator, compression: float, colors: Mapping[str, s
 
 def _draw(machine: Oscillator, compression: float) -> _Drawing:
     """Draw the machine at its release; the left end of the relaxed block is at x = 0, the floor at y = 0."""
-    start = motion(machine, released(machine, compression), 0.0)[0]
-    shift = {name: float(x) * _CM for name, x in ground_positions(machine, start).items()}
+    q, _q_dot = motion(machine, released(machine, compression), 0.0)
+    shift = {name: float(x) * _CM for name, x in ground_positions(machine, q).items()}
     R, x0 = machine.radius * _CM, compression * _CM
     # Centres and edges with the spring relaxed; the shifts lead to the release.
     hoop = x0 / 2 + R + _GAP
@@ -131,7 +131,7 @@ def _draw(machine: Oscillator, compression: float) -> _Drawing:
             f"M{slab_right:g} {-spring_height:g}V{x0_height - 1:g}M{slab_right:g} {x0_height:g}H{slab_right + x0:g}"
         ),
         _Outline(f"M{x:g} {y:g}l{-0.6 * R:g} {-0.8 * R:g}"),
-        *(_Outline(_sense(*centre, 1.12 * R)) for centre in centres.values()),
+        *(_Outline(_rotation_arrow(*centre, 1.12 * R)) for centre in centres.values()),
     ]
     letters = [
         _Letter("m", (riser + right) / 2, -upper / 2),
@@ -150,21 +150,25 @@ def _draw(machine: Oscillator, compression: float) -> _Drawing:
 
 def _circle(x: float, y: float, r: float) -> str:
     # Four Bézier curves deviate from a circle by 0.03 %. TikZ draws an SVG arc with too few digits.
-    ends, k = ((1, 0), (0, 1), (-1, 0), (0, -1), (1, 0)), 0.5522847 * r
-    quarters = (
-        f"c{k * a:g} {k * b:g} {r * (a + c) - k * c:g} {r * (b + d) - k * d:g} {r * (a + c):g} {r * (b + d):g}"
-        for (a, b), (c, d) in pairwise(ends)
-    )
+    handle = 0.5522847 * r
+    quarters = []
+    for (a, b), (c, d) in pairwise(((1, 0), (0, 1), (-1, 0), (0, -1), (1, 0))):
+        # A quarter begins in the direction (a, b) and ends in the direction (c, d).
+        dx, dy = r * (a + c), r * (b + d)
+        quarters.append(f"c{handle * a:g} {handle * b:g} {dx - handle * c:g} {dy - handle * d:g} {dx:g} {dy:g}")
     return f"M{x:g} {y - r:g}{''.join(quarters)}z"
 
 
-def _sense(x: float, y: float, r: float) -> str:
+def _rotation_arrow(x: float, y: float, r: float) -> str:
     """Return an arrow around a circle in the positive, clockwise sense, from 44° to 74° after the top."""
-    (sin, cos), (end_sin, end_cos) = ((math.sin(a), math.cos(a)) for a in map(math.radians, (44, 74)))
-    k = 4 / 3 * math.tan(math.radians(30) / 4) * r
-    start, end = (x + r * sin, y - r * cos), (x + r * end_sin, y - r * end_cos)
-    bent = f"{start[0] + k * cos:g} {start[1] + k * sin:g} {end[0] - k * end_cos:g} {end[1] - k * end_sin:g}"
-    return f"M{start[0]:g} {start[1]:g}C{bent} {end[0]:g} {end[1]:g}l-2 -.7m2 .7l.5 -2"
+    begin, end = math.radians(44), math.radians(74)
+    begin_x, begin_y = x + r * math.sin(begin), y - r * math.cos(begin)
+    end_x, end_y = x + r * math.sin(end), y - r * math.cos(end)
+    # The length of the two handles of a Bézier curve that approximates the arc.
+    handle = 4 / 3 * math.tan((end - begin) / 4) * r
+    first_handle = f"{begin_x + handle * math.cos(begin):g} {begin_y + handle * math.sin(begin):g}"
+    second_handle = f"{end_x - handle * math.cos(end):g} {end_y - handle * math.sin(end):g}"
+    return f"M{begin_x:g} {begin_y:g}C{first_handle} {second_handle} {end_x:g} {end_y:g}l-2 -.7m2 .7l.5 -2"
 
 
 def _coil(start: float, end: float, y: float) -> str:

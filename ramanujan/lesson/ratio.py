@@ -37,10 +37,10 @@ A, B, C = map(int, unit_frequency_condition().quadratic.all_coeffs())
 """The coefficients of the quadratic equation aε² + bε + c = 0 for the mass ratio in step."""
 
 
-def written(a: int, b: int, c: int) -> str:
+def write_quadratic(a: int, b: int, c: int) -> str:
     """Return the equation aε² + bε + c = 0 as text.
 
-    >>> written(18, 1, -24).replace("\xa0", " "), written(3, 0, -4).replace("\xa0", " ")
+    >>> write_quadratic(18, 1, -24).replace("\xa0", " "), write_quadratic(3, 0, -4).replace("\xa0", " ")
     ('18ε² + ε − 24 = 0', '3ε² − 4 = 0')
     """
     text = f"{a}ε²"
@@ -52,11 +52,11 @@ def written(a: int, b: int, c: int) -> str:
     return unbroken(f"{text} = 0")
 
 
-_QUADRATIC = written(A, B, C)
-_QUADRATIC_OF_OTHER = written(*OTHER.quadratic)
+_QUADRATIC = write_quadratic(A, B, C)
+_QUADRATIC_OF_OTHER = write_quadratic(*OTHER.quadratic)
 _NUMBER = int(unit_frequency_condition().discriminant)
 _ROOT = unbroken(f"(√{_NUMBER} − {B})/{2 * A}")
-_NAMED = {"quadratic": _QUADRATIC, "a": A, "b": B, "c": -C}
+_QUADRATIC_SLOTS = {"quadratic": _QUADRATIC, "a": A, "b": B, "c": -C}
 """The quadratic equation and its coefficients, by their slots in the sentences."""
 _EQUATIONS = (
     rf"\frac{{\Omega^2m}}{{k}}={latex(unit_frequency_condition().normalized_frequency_squared)}=1",
@@ -66,63 +66,69 @@ _EQUATIONS = (
 _SUMS = number_theory.sums_of_two_cubes(_NUMBER)
 
 
-def _displayed(*equations: str) -> str:
+def _display_equations(*equations: str) -> str:
     """Return equations as Markdown, left-aligned below each other, so that the display is as wide as the longest."""
     return r"$$\begin{{aligned}}&{}\end{{aligned}}$$".format(r"\\[2pt]&".join(equations))
 
 
-def normalized(ratio: Fraction) -> Fraction:
-    """Return Ω²m/k, exactly."""
+def exact_frequency_squared(ratio: Fraction) -> Fraction:
+    """Return Ω²m/k at a mass ratio, exactly."""
     return number_theory.normalized_frequency_squared_exact(*BodyChoice().bodies, ratio)
 
 
-def _plainly(ratio: Fraction) -> str:
+def _write_decimal(ratio: Fraction) -> str:
     return number(float(ratio), 4, strip=True)
 
 
-def _between(name: str) -> dict[str, object]:
+def _bracket_numbers(name: str) -> dict[str, object]:
+    """Return the two mass ratios of a bracket and the one in the middle, and Ω²m/k at each of them."""
     low, high = BRACKETS[name]
+    middle = (low + high) / 2
     return {
-        "low": _plainly(low),
-        "high": _plainly(high),
-        "fast": float(normalized(low)),
-        "slow": float(normalized(high)),
-        "middle": _plainly((low + high) / 2),
-        "value": float(normalized((low + high) / 2)),
+        "low": _write_decimal(low),
+        "high": _write_decimal(high),
+        "fast": float(exact_frequency_squared(low)),
+        "slow": float(exact_frequency_squared(high)),
+        "middle": _write_decimal(middle),
+        "value": float(exact_frequency_squared(middle)),
     }
 
 
-def _outside(name: str) -> str:
+def _explain_bracket(name: str) -> str:
     """Return the reply to a bracket that does not enclose the mass ratio in step."""
     too_fast = _("Ω²m/k is {fast:4} at ε = {low} and {slow:4} at ε = {high}: too fast at both. Which way must ε go?")
     too_slow = _("Ω²m/k is {fast:4} at ε = {low} and {slow:4} at ε = {high}: too slow at both. Which way must ε go?")
     _low, high = BRACKETS[name]
-    return filled(too_fast if normalized(high) >= 1 else too_slow, **_between(name))
+    return filled(too_fast if exact_frequency_squared(high) >= 1 else too_slow, **_bracket_numbers(name))
 
 
-def _by_hand() -> str:
-    return next(name for name, (low, high) in BRACKETS.items() if normalized(low) > 1 > normalized(high))
+def _find_bracket() -> str:
+    return next(
+        name
+        for name, (low, high) in BRACKETS.items()
+        if exact_frequency_squared(low) > 1 > exact_frequency_squared(high)
+    )
 
 
-def remainder(ratio: Fraction) -> Fraction:
+def evaluate_quadratic(ratio: Fraction) -> Fraction:
     """Return aε² + bε + c, which is zero at the mass ratio in step."""
     return A * ratio**2 + B * ratio + C
 
 
-def parting(ratio: Fraction) -> float:
+def periods_until_apart(ratio: Fraction) -> float:
     """Return the number of periods of the plain mass until the hands are one full turn apart."""
-    return 1 / abs(float(normalized(ratio)) ** 0.5 - 1)
+    return 1 / abs(float(exact_frequency_squared(ratio)) ** 0.5 - 1)
 
 
-def _near_the_root() -> dict[str, object]:
+def _candidate_numbers() -> dict[str, object]:
     """Return the numbers of the candidates, of the range, and of the exact ratio."""
     root = unit_frequency_condition().root
     whole = math.isqrt(_NUMBER)
-    numbers: dict[str, object] = {name: float(remainder(ratio)) for name, ratio in CANDIDATES.items()}
-    numbers |= {f"{name}_periods": parting(ratio) for name, ratio in CANDIDATES.items()}
+    numbers: dict[str, object] = {name: float(evaluate_quadratic(ratio)) for name, ratio in CANDIDATES.items()}
+    numbers |= {f"{name}_periods": periods_until_apart(ratio) for name, ratio in CANDIDATES.items()}
     return numbers | {
-        "fast": float(normalized(RANGE[0])),
-        "slow": float(normalized(RANGE[1])),
+        "fast": float(exact_frequency_squared(RANGE[0])),
+        "slow": float(exact_frequency_squared(RANGE[1])),
         "value": float(root) * EQUAL.m,
         "heavier": float(root) - 1,
         "below": whole,
@@ -130,30 +136,32 @@ def _near_the_root() -> dict[str, object]:
     }
 
 
-def _exactly() -> str:
-    exact = [name for name, ratio in CANDIDATES.items() if remainder(ratio) == 0]
-    if exact:
-        return exact[0]
+def _find_exact_candidate() -> str:
+    for name, ratio in CANDIDATES.items():
+        if evaluate_quadratic(ratio) == 0:
+            return name
     return "several" if unit_frequency_condition().root.is_rational else "irrational"
 
 
-def _spelled() -> str:
+def _find_sum_of_cubes() -> str:
     """Return the option for the sum of cubes whose terms are b² and −4ac."""
     terms = sorted((B * B, -4 * A * C))
-    matches = [pair for pair in _SUMS if sorted(x**3 for x in pair) == terms]
-    if len(matches) == 1:
-        return "first" if matches == _SUMS[:1] else "second"
-    return "both" if matches else "neither"
+    is_first, is_second = (sorted(x**3 for x in pair) == terms for pair in _SUMS)
+    if is_first and is_second:
+        return "both"
+    if is_first:
+        return "first"
+    return "second" if is_second else "neither"
 
 
-def _other_body() -> str:
+def _compare_other_body() -> str:
     paper, other = BodyChoice().discriminant, OTHER.discriminant
     if other == paper:
         return "same"
     return "square" if sp.sqrt(other).is_integer else "another"
 
 
-def _others() -> dict[str, object]:
+def _other_body_numbers() -> dict[str, object]:
     all_machines = number_theory.machines()
     return {
         "number": OTHER.discriminant,
@@ -172,17 +180,17 @@ STOPS = (
             "The machine is in step with the plain mass where Ω²\u00a0=\u00a0k/m. This happens at only one mass ratio "
             "ε\u00a0=\u00a0m′/m. Between which two ratios is it?"
         ),
-        options={name: filled(_("Between {low} and {high}"), **_between(name)) for name in BRACKETS},
-        replies={name: _outside(name) for name in BRACKETS if name != _by_hand()},
+        options={name: filled(_("Between {low} and {high}"), **_bracket_numbers(name)) for name in BRACKETS},
+        replies={name: _explain_bracket(name) for name in BRACKETS if name != _find_bracket()},
         given={"periods": round(1 / abs(EQUAL.normalized_frequency_squared**0.5 - 1))},
-        answer=_by_hand,
+        answer=_find_bracket,
         why=_(
             "At ε = {low} the machine is faster, with Ω²m/k = {fast:4}. At ε = {high} it is slower, with Ω²m/k = "
             "{slow:4}. The frequency falls steadily as the rollers become heavier, so the two are in step exactly "
             "once. Halve the interval, and you come closer with every step. The next ratio to try is {middle}, where "
             "Ω²m/k = {value:4}."
         ),
-        numbers=lambda: _between(_by_hand()),
+        numbers=lambda: _bracket_numbers(_find_bracket()),
         hints=(
             _("At equal masses it takes {periods} periods of the plain mass until the hands are one full turn apart."),
             _("How much heavier must the rollers be to slow the machine down by so little?"),
@@ -227,7 +235,7 @@ STOPS = (
             ),
         },
         given={
-            **_NAMED,
+            **_QUADRATIC_SLOTS,
             "eighths_mass": with_unit(unbroken(str(CANDIDATES["eighths"])), "kg"),
             "decimal_mass": quantity(float(CANDIDATES["decimal"]), "kg", 4),
             "lightest": quantity(float(RANGE[0]), "kg", 3),
@@ -235,13 +243,13 @@ STOPS = (
             "root": _ROOT,
             "number": _NUMBER,
         },
-        answer=_exactly,
+        answer=_find_exact_candidate,
         why=_(
             "The positive root of {quadratic} is {root}. So each lower roller must have a mass of about {value:7 kg}, "
             "{heavier:3 %} more than the other bodies. As {number} lies between {below}² and {above}², its root is no "
             "fraction, and neither is this mass. A mass ratio cannot be negative, so the other root does not count."
         ),
-        numbers=_near_the_root,
+        numbers=_candidate_numbers,
         hints=(
             _("The roots of a·ε² + b·ε + c = 0 are (−b ± √(b² − 4ac))/(2a)."),
             _("Is the number under the root the square of a whole number?"),
@@ -267,7 +275,7 @@ STOPS = (
             "both": _("b² is {square} and −4ac is {product}. Which two cubes are these, and which are left over?"),
             "neither": _("b² is {square} and −4ac is {product}. Is one of these numbers a cube?"),
         },
-        answer=_spelled,
+        answer=_find_sum_of_cubes,
         why=_(
             "Under the root is b² − 4ac = {b}² + 4·{a}·{c}. Here {b}² = {pairs[0][0]}³ and 4·{a}·{c} = {pairs[0][1]}³. "
             "The other sum, {second}, does not appear in the coefficients. There is a reason for {number} = {norm[0]}² "
@@ -275,7 +283,7 @@ STOPS = (
             "smallest sum of two positive cubes in two ways."
         ),
         given={
-            **_NAMED,
+            **_QUADRATIC_SLOTS,
             "root": _ROOT,
             "number": _NUMBER,
             "first": unbroken("{}³ + {}³".format(*_SUMS[0])),
@@ -293,8 +301,8 @@ STOPS = (
         minutes=3,
         runs=(Run(IN_STEP),),
         hides=FREQUENCY,
-        exhibit=_displayed(*_EQUATIONS),
-        outcome=_displayed(*_EQUATIONS, f"b^2-4ac={B * B}+{-4 * A * C}"),
+        exhibit=_display_equations(*_EQUATIONS),
+        outcome=_display_equations(*_EQUATIONS, f"b^2-4ac={B * B}+{-4 * A * C}"),
         onward=Onward(_("Count the cubes on the page 1729"), "taxicab"),
     ),
     Stop(
@@ -319,13 +327,13 @@ STOPS = (
                 "it?"
             ),
         },
-        answer=_other_body,
+        answer=_compare_other_body,
         why=_(
             "With a solid sphere on top the number under the root is {number}. The machine is then in step at ε = "
             "{ratio:4}. The top body is not idle: friction makes it turn, and its moment of inertia counts. Of all "
             "{machines} choices of bodies, only {cubes:alone} lead to a sum of two positive cubes."
         ),
-        numbers=_others,
+        numbers=_other_body_numbers,
         hints=(_("What turns the top body when the block moves under it?"),),
         purpose=_("The number is fragile: with one other body, it is gone."),
         expect=_("Many believe that a body that rolls freely cannot matter."),

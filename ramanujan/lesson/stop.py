@@ -73,8 +73,9 @@ class Onward(NamedTuple):
 class Stop:
     """One stop of the lesson.
 
-    All sentences are templates for `numerals.filled`. Their slots may use `equal` (the machine with equal masses),
-    `machine` and `shown` (the machines of this stop before and after the prediction), and `runs`.
+    All sentences are templates for `numerals.filled`. Besides the numbers in `given` and `numbers`, their slots may
+    use `equal` (the machine with equal masses), `machine` and `shown` (the machines before and after the prediction),
+    and `runs`.
 
     Parameters
     ----------
@@ -94,7 +95,7 @@ class Stop:
     hides : parts of the stage that would reveal the answer, names of `stage.PARTS`
     layers : optional layers of the stage after the prediction
     dials : whether the stage shows its clocks, and after the prediction its gauge
-    periods : number of periods of the plain mass; a button takes both clocks there after the answer
+    periods : number of periods of the plain mass to which a button sets both clocks after the answer
     exhibit : Markdown above the machine, such as a program
     outcome : the exhibit after the prediction, with the observation, such as the output of the program
     sliders : instructions for the sliders after the prediction
@@ -148,10 +149,11 @@ class Stop:
         return _("Run the machine") if "motion" in self.hides and not self.exhibit else _("Check it")
 
     def __post_init__(self) -> None:
+        # The texts before the prediction need only the numbers in `given`. A frozen dataclass forbids assignments.
         for name in ("heading", "question"):
-            object.__setattr__(self, name, self._filled(getattr(self, name)))
-        object.__setattr__(self, "hints", tuple(map(self._filled, self.hints)))
-        object.__setattr__(self, "options", {id: self._filled(label) for id, label in self.options.items()})
+            object.__setattr__(self, name, self._fill(getattr(self, name)))
+        object.__setattr__(self, "hints", tuple(map(self._fill, self.hints)))
+        object.__setattr__(self, "options", {id: self._fill(label) for id, label in self.options.items()})
 
     @cached_property
     def right(self) -> str:
@@ -164,24 +166,27 @@ class Stop:
 
     def explanation(self) -> str:
         """Return the explanation with the numbers of this machine, without line breaks at = and +."""
-        return self._filled(self.why, **self._numbers).replace(" = ", "\u00a0=\u00a0").replace(" + ", "\u00a0+\u00a0")
+        explanation = self._fill(self.why, **self._numbers)
+        return explanation.replace(" = ", "\u00a0=\u00a0").replace(" + ", "\u00a0+\u00a0")
 
     def reply(self, option: str) -> str:
         """Return the reply to a wrong option, with the numbers of this machine."""
-        return self._filled(self.replies[option], **self._numbers)
+        return self._fill(self.replies[option], **self._numbers)
 
-    def _filled(self, template: str, **numbers: object) -> str:
+    def _fill(self, template: str, **numbers: object) -> str:
         machines = {"equal": EQUAL, "machine": self.machine, "shown": self.shown, "runs": self.runs}
         return filled(template, **machines, **self.given, **numbers)
 
 
-def after(
+def state_after(
     part: float | NDArray[np.float64], machine: Oscillator = EQUAL, compression: float = COMPRESSION
 ) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
-    """Return the state (q, q̇) of a machine after a part of a period, or after several parts, counted from release."""
+    """Return the state (q, q̇) of a machine after a part of a period from its release; several parts are an array."""
     return motion(machine, released(machine, compression), part * machine.period)
 
 
-def by_sign(value: Any, negative: str, zero: str, positive: str) -> str:
+def choose_by_sign(value: Any, negative: str, zero: str, positive: str) -> str:
     """Return one of three ids by the sign of a number."""
-    return positive if value > 0 else negative if value < 0 else zero
+    if value < 0:
+        return negative
+    return positive if value > 0 else zero

@@ -14,8 +14,8 @@ class Attempt:
 
     Parameters
     ----------
-    machine, compression : from the sidebar; x₀ [m]
-    release : x₀ of a task that allows a relaxed spring [m]
+    machine, compression : the machine and x₀ [m] of the sidebar
+    release : x₀ in a task that also allows a relaxed spring [m]
     glide, spin : initial velocity of the machine to the right [m/s], and of the top cylinder, clockwise [rad/s]
     method, steps : name of an integrator in METHODS, and its steps per period
     bodies : left roller, right roller and top body, names in `number_theory.BODIES`
@@ -52,18 +52,21 @@ class TaskVerdict:
     is_judged: bool = True
 
 
-def missed(sentence: str, **values: object) -> TaskVerdict:
+def miss_goal(sentence: str, **values: object) -> TaskVerdict:
     """Return the verdict on an attempt that misses the goal; the sentence is a template for `numerals.filled`."""
     return TaskVerdict(False, filled(sentence, **values))
 
 
-def near(off: float, tolerance: float, sentences: tuple[str, ...], unit: str = "", **values: object) -> TaskVerdict:
+def compare_with_goal(
+    off: float, tolerance: float, sentences: tuple[str, ...], unit: str = "", **values: object
+) -> TaskVerdict:
     """Return the verdict on a value near its goal.
 
     Parameters
     ----------
     off, tolerance : the value minus its goal, and the largest allowed difference
-    sentences : for a value within the tolerance, above and (if possible) below; templates for `numerals.filled`
+    sentences : three templates for `numerals.filled`: for a value within the tolerance, above it, and below it. The
+        last one is omitted if no value is below.
     unit : the unit of `off` in the sentences: s, cm or %
     values : other numbers of the sentences
     """

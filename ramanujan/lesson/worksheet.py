@@ -26,11 +26,11 @@ from ramanujan.translation import _
 
 _TARGETS = tuple(Fraction(p, q) for p, q in ((1, 2), (2, 3), (3, 4), (4, 5), (9, 8), (5, 4), (4, 3), (3, 2)))
 _STOPS = 4
-_NAMED = ("block",)
-"""Stops whose answer the derivation on the worksheet reveals, with the sign of X."""
+_REVEALED = ("block",)
+"""Stops whose answer the derivation on the worksheet reveals: the sign of X."""
 _STEPS = ("velocities", "inertia", "energies", "lagrangian", "motion", "elimination", "insertion", "frequency")
 """The steps of the route of Euler and Lagrange that become questions."""
-_WHERE = {"energies": _("Give $U$ as a function of the compression $x$ first, then of $\\varphi$.")}
+_ADDITIONS = {"energies": _("Give $U$ as a function of the compression $x$ first, then of $\\varphi$.")}
 """Step → a sentence about the coordinates of its formulas, for ambiguous steps."""
 _LONG = 150
 """A formula from this number of LaTeX characters may be too wide for paper."""
@@ -71,14 +71,15 @@ def questions(machine: Oscillator, seed: str, level: int = 1) -> tuple[Worksheet
     ----------
     machine : the machine of the calculations
     seed : any text; it selects the stops, the order of their options, and the target frequency
-    level : of the derivation: 1, one equation to complete in each step; 2, all equations; 3, without equations
+    level : how much of the derivation is left to complete: 1, one equation in each step; 2, all equations of a step;
+        3, the whole step without its reason
 
     >>> sheet = questions(Oscillator(), "1")
     >>> sheet == questions(Oscillator(), "1")
     True
     """
     source = random.Random(seed)
-    chapters = [[stop for stop in chapter if stop.id not in _NAMED] for chapter in CHAPTERS]
+    chapters = [[stop for stop in chapter if stop.id not in _REVEALED] for chapter in CHAPTERS]
     # Stops of one chapter answer each other, so each selected chapter contributes one.
     selected = sorted(source.sample(range(len(chapters)), _STOPS))
     stops = [source.choice(chapters[i]) for i in selected]
@@ -101,23 +102,23 @@ def _guided_step(step: Step, level: int) -> WorksheetQuestion:
         given, to_complete = [], [blank.replace("\\ldots", "\\ldots\\hspace{4cm}") for blank in blanks]
     else:
         given, to_complete = [], []
-    sentences = [f"**{step.heading}.**", "" if level == 3 else step.reason, _WHERE.get(step.key, "")]
+    sentences = [f"**{step.heading}.**", "" if level == 3 else step.reason, _ADDITIONS.get(step.key, "")]
     return WorksheetQuestion(
         " ".join(filter(None, sentences)),
-        in_a_row(equations),
-        blanks="\n\n".join(filter(None, (in_a_row(given), in_a_row(to_complete)))),
-        space=_lines(equations[-1:] if level == 1 else equations),
+        set_in_a_row(equations),
+        blanks="\n\n".join(filter(None, (set_in_a_row(given), set_in_a_row(to_complete)))),
+        space=_count_lines(equations[-1:] if level == 1 else equations),
     )
 
 
-def _lines(formulas: Sequence[str]) -> int:
+def _count_lines(formulas: Sequence[str]) -> int:
     """Return the number of handwritten lines for these formulas, plus one for notes."""
     return 1 + math.ceil(sum(map(len, formulas)) / _LINE)
 
 
-def in_a_row(formulas: Sequence[str]) -> str:
-    """Return formulas as Markdown, several on a line if they fit. Braces prevent a break inside a short one."""
-    unbroken = (f"{{{formula}}}" if len(formula) < _LONG else formula for formula in formulas)
+def set_in_a_row(formulas: Sequence[str]) -> str:
+    """Return formulas as Markdown, several on a line if they fit. Braces prevent a break inside a short formula."""
+    unbroken = [f"{{{formula}}}" if len(formula) < _LONG else formula for formula in formulas]
     return "\u2003 ".join(f"$$\\displaystyle {formula}$$" for formula in unbroken)
 
 
@@ -180,7 +181,7 @@ def _calculations(machine: Oscillator, target: Fraction) -> tuple[WorksheetQuest
         ),
         WorksheetQuestion(
             _("Is the machine faster or slower than the plain mass? After how many periods are they one turn apart?"),
-            _parting(normalized),
+            _answer_faster_or_slower(normalized),
             working=(f"\\frac{{\\Omega}}{{\\sqrt{{k/m}}}}=\\sqrt{{{latex(normalized)}}}",),
             space=4,
         ),
@@ -207,17 +208,18 @@ def _target_question(target: Fraction) -> WorksheetQuestion:
     )
 
 
-def _parting(normalized: sp.Expr) -> str:
+def _answer_faster_or_slower(normalized: sp.Expr) -> str:
     """Return the answer to the question which of the two is faster, and when they are one full turn apart."""
     if normalized == 1:
         return _("Neither: the two are in step for ever.")
     # Subtract before rounding: close to the mass ratio in step, the float of Ω√(m/k) is exactly 1.
     gained = float(sp.N(sp.sqrt(normalized) - 1, 20))
-    sentence = (
-        _("Faster: $\\Omega>\\sqrt{{k/m}}$. They are one full turn apart after {periods} periods of the plain mass.")
-        if gained > 0
-        else _(
+    if gained > 0:
+        sentence = _(
+            "Faster: $\\Omega>\\sqrt{{k/m}}$. They are one full turn apart after {periods} periods of the plain mass."
+        )
+    else:
+        sentence = _(
             "Slower: $\\Omega<\\sqrt{{k/m}}$. They are one full turn apart after {periods} periods of the plain mass."
         )
-    )
     return sentence.format(periods=number(1 / abs(gained), 3))

@@ -1,7 +1,7 @@
 """A random name for each browser, so that in a class one person has one vote, also in several tabs.
 
 The name contains no personal data. A class stores only a hash of the name and of the class code
-(`class_codes.voter_of`).
+(`class_codes.hash_browser`).
 """
 
 import secrets

@@ -19,7 +19,7 @@ import streamlit as st
 
 from ramanujan import Oscillator, lesson
 from ramanujan.browser import components
-from ramanujan.lesson.class_codes import parts_of, read_code, voter_of
+from ramanujan.lesson.class_codes import hash_browser, read_code, split_key
 from ramanujan.lesson.class_states import END, ClassQuestion
 from ramanujan.lesson.classes import DAY, ClassError, CrowdError, Phase, Seat, Vote, shared
 from ramanujan.lesson.stop import Stop
@@ -63,7 +63,7 @@ def restore_role() -> None:
         elif code:
             run_or_refuse(take_seat, code)
     if key := lecturer_key():
-        code, _secret = parts_of(key)
+        code, _secret = split_key(key)
         _write_address(code, lecturer=key)
     elif code := wall_code():
         _write_address(code, wall="on")
@@ -127,7 +127,7 @@ def take_seat(code: str) -> None:
     for entry in (_SEAT, _AWAITED):
         st.session_state.pop(entry, None)
     try:
-        st.session_state[_SEAT] = shared().join(code, voter_of(name, code), network())
+        st.session_state[_SEAT] = shared().join(code, hash_browser(name, code), network())
     except CrowdError:
         st.session_state[_AWAITED] = read_code(code)
         raise
@@ -222,7 +222,7 @@ def send_view(stop: Stop, view: dict[str, Any]) -> None:
     key = lecturer_key()
     if key is None:
         return
-    code, _secret = parts_of(key)
+    code, _secret = split_key(key)
     with suppress(ClassError):
         if shared().question(code).stop != stop.id:
             return

@@ -17,7 +17,7 @@ from typing import Any
 import streamlit as st
 
 from ramanujan import lesson
-from ramanujan.lesson.class_codes import parts_of, spaced
+from ramanujan.lesson.class_codes import group_code, split_key
 from ramanujan.lesson.class_record import as_csv, as_spreadsheet
 from ramanujan.lesson.class_states import END
 from ramanujan.lesson.classes import DAY, LIFETIMES, ClassError, ClassQuestion, Phase, Seat, SeatError, Vote, shared
@@ -151,7 +151,7 @@ def draw_desk(stop: Stop, phase: Phase) -> None:
     if key is None:
         return
     class_session.send_settings(key)
-    code, _secret = parts_of(key)
+    code, _secret = split_key(key)
     _follow_stage(code)
     _draw_live_desk(stop, phase)
 
@@ -185,7 +185,7 @@ def _draw_live_desk(stop: Stop | None, phase: Phase) -> None:
     if key is None:
         st.rerun()
     st.session_state.setdefault(_LAST_STOP, None)
-    code, _secret = parts_of(key)
+    code, _secret = split_key(key)
     place = stop.id if stop else END
     with st.container(key="class_desk"):
         _draw_error()
@@ -307,7 +307,7 @@ def _forward_move(stop: Stop | None, now: ClassQuestion, last: ClassQuestion | N
 
 def _go_back(key: str, place: str) -> None:
     """Take the class back by one view. If the class is at another stop, move only this desk."""
-    code, _secret = parts_of(key)
+    code, _secret = split_key(key)
     now, previous = shared().question(code), progress.previous(place)
     is_here = now.stop == place
     if is_here and now.phase > Phase.ASKED:
@@ -332,7 +332,7 @@ def _show_stop(key: str, stop: Stop) -> None:
 
 def _draw_foot(key: str, code: str) -> None:
     """Draw the code, links to the other screens, and the controls for seats, results and the end of the class."""
-    st.text(spaced(code), width="content")
+    st.text(group_code(code), width="content")
     st.link_button(
         _("Open the wall"),
         address.link({"class": code, "wall": "on", "view": "projector"}).geturl(),
@@ -358,7 +358,7 @@ def _offer_votes(key: str, name: str) -> None:
     name : key of the second widget, and prefix of the first
     """
     results = shared().results_for_lecturer(key)
-    code, _secret = parts_of(key)
+    code, _secret = split_key(key)
     widgets.download(
         _("Download for a spreadsheet"),
         as_spreadsheet(results),
@@ -399,7 +399,7 @@ def _draw_ending(key: str) -> None:
     with st.popover(_("End the class"), key="class_ending", type="tertiary"):
         st.markdown(
             _("The class ends, and all its answers are deleted. Otherwise that happens on {date}.").format(
-                date=local_time.date_and_time(shared().expires(parts_of(key)[0]))
+                date=local_time.date_and_time(shared().expires(split_key(key)[0]))
             )
         )
         _offer_votes(key, "class_csv_last")
@@ -422,7 +422,7 @@ def _draw_waiting() -> None:
         st.rerun()
     with st.container(key="class_phone"):
         st.html(NOTHING_TO_SET)
-        st.title(_("Class {code}").format(code=spaced(code)), anchor=False)
+        st.title(_("Class {code}").format(code=group_code(code)), anchor=False)
         st.info(class_session.refusal())
         _draw_leave_button()
 
@@ -478,7 +478,7 @@ def _visible_machine(question: ClassQuestion | None) -> tuple[str, bool] | None:
 def _draw_question(seat: Seat, question: ClassQuestion, chosen: str | None) -> None:
     """Draw the current question of the class, or how to go on before the first question and after the last."""
     if question.stop is None:
-        st.title(_("Class {code}").format(code=spaced(seat.code)), anchor=False)
+        st.title(_("Class {code}").format(code=group_code(seat.code)), anchor=False)
         st.info(_("You have joined the class. The first question will appear here."))
         if not question.is_known:
             st.warning(class_results.unknown_stop_sentence())

@@ -6,9 +6,9 @@ from contextlib import nullcontext
 import streamlit as st
 
 from ramanujan import Oscillator
-from ramanujan.lesson.class_codes import ALPHABET, spaced
+from ramanujan.lesson.class_codes import ALPHABET, group_code
 from ramanujan.lesson.picture import machine_svg
-from ramanujan.lesson.worksheet import WorksheetQuestion, in_a_row, questions
+from ramanujan.lesson.worksheet import WorksheetQuestion, questions, set_in_a_row
 from ramanujan.numerals import filled
 from ramanujan.shell import address, drawings, messages, sidebar, theme, widgets, worksheet_keys
 from ramanujan.shell.display_mode import is_projector, picture_and_words, slide
@@ -86,7 +86,7 @@ def question_parts(question: WorksheetQuestion, with_key: bool) -> tuple[str, ..
     options = "\n".join(f"- {option}" for option in question.options)
     if not with_key:
         return question.text, options, question.blanks
-    return question.text, options, in_a_row(question.working), question.answer
+    return question.text, options, set_in_a_row(question.working), question.answer
 
 
 def uses_sidebar() -> bool:
@@ -124,7 +124,7 @@ def draw_name_box() -> None:
             sentence = _("A worksheet’s name has {n:word} letters, all from {letters}. The old name was kept.")
             messages.note(SEED.name, filled(sentence, n=worksheet_keys.LETTERS, letters=ALPHABET), warning=True)
 
-    st.session_state["worksheet_name"] = spaced(address.current(SEED))
+    st.session_state["worksheet_name"] = group_code(address.current(SEED))
     st.text_input(
         _("Name of the worksheet"),
         key="worksheet_name",
@@ -154,7 +154,7 @@ def draw_head(machine: Oscillator, paper: str, seed: str, calculations: list[int
     points : sum of the points of all questions
     """
     title = _("Ramanujan’s oscillator: key {seed}") if paper == "key" else _("Ramanujan’s oscillator: worksheet {seed}")
-    st.title(title.format(seed=spaced(seed)), anchor=False)
+    st.title(title.format(seed=group_code(seed)), anchor=False)
     if paper == "questions" and not is_projector():
         lines = _("Name {line} Date {line} Points {line} of {points}")
         st.html(f"<p class='name' style='display:flex;gap:.4em'>{lines.format(line=_LINE, points=points)}</p>")
