@@ -173,8 +173,10 @@ def in_large_print(figure: BaseFigure) -> Drawn:
     notes = [{**note, "font": {**note.get("font", {}), "size": _LETTERS}} for note in layout.get("annotations", ())]
     has_note_above = any(note.get("yref") == "paper" and note["y"] == 1 for note in notes)
     legend_names = {trace["name"] for trace in sent["data"] if trace.get("name") and trace.get("showlegend", True)}
-    if "legend" in layout and len(legend_names) > _ROW:
-        layout["legend"] = {"orientation": "v", "tracegroupgap": 0, "maxheight": 1000, "font": {"size": 18}}
+    if "legend" in layout:
+        is_column = len(legend_names) > _ROW
+        place = {"orientation": "v", "tracegroupgap": 0, "maxheight": 1000} if is_column else layout["legend"]
+        layout["legend"] = {**place, "font": {"size": _LETTERS}}
     margin_above = _MARGIN_WITH_WORDS if has_note_above else _MARGIN_ABOVE
     layout |= {"annotations": notes, "margin": {**layout.get("margin", {}), "t": margin_above}}
     return Drawn({**sent, "layout": layout})
