@@ -14,8 +14,8 @@ from ramanujan.translation import _, ngettext
 _NAMED = "<extra>%{fullData.name}</extra>"
 """The second hover box of Plotly, with the name of the curve."""
 _AFTER = _("after {periods} periods: {error}")
-_UPPER: dict[str, Any] = {"domain": [0.54, 1.0]}
-_LOWER: dict[str, Any] = {"domain": [0.0, 0.46], "anchor": "x"}
+_UPPER: dict[str, Any] = {"domain": [0.57, 1.0]}
+_LOWER: dict[str, Any] = {"domain": [0.0, 0.43], "anchor": "x"}
 """The axes of two panels below each other."""
 _ENERGY_MOST, _PHASE_MOST = 0.5, 2
 """The largest exponents of ten on the axes. A curve with larger errors leaves the figure at the top."""
