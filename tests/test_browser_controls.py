@@ -260,6 +260,9 @@ def test_the_sidebar_fits_the_screen_and_is_open_only_where_it_matters(visit):
     controls = page.locator(".st-key-controls")
     expect(controls).to_be_in_viewport(ratio=1)
     assert controls.bounding_box()["y"] < 45
+    page.get_by_role("link", name="Oscillator", exact=True).first.click()
+    expect(page.locator(".st-key-composition")).to_be_visible()
+    expect(page.locator(".stSidebar")).to_be_hidden()
     page.get_by_role("link", name="Worksheet", exact=True).first.click()
     settle(page)
     expect(controls).not_to_be_in_viewport()
