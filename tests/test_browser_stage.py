@@ -6,6 +6,7 @@ from itertools import pairwise
 import pytest
 
 from ramanujan import UNIT_MASS_RATIO, Oscillator
+from ramanujan.browser import stage
 from tests.browser import next_frame
 from tests.engines import ANY_ENGINE
 from tests.picture import Picture
@@ -189,6 +190,18 @@ def test_hidden_parts_are_neither_drawn_nor_announced(bare):
 
 
 @ANY_ENGINE
+def test_a_running_machine_returns_to_its_release_when_its_motion_is_hidden(bare):
+    picture, machine = Picture(bare()), Oscillator()
+    picture.show(machine, 0.08)
+    at_release = slab(picture)
+    picture.at(0.3)
+    assert slab(picture) != at_release
+    data = stage.payload(machine, 0.08)
+    picture.bare.put(lambda: stage.publish(data, name=picture.name, hide=("motion",)))
+    picture.page.wait_for_timeout(1000)
+    assert slab(picture) == pytest.approx(at_release, abs=0.5)
+
+
 def test_a_machine_with_hidden_motion_is_still(bare):
     picture = Picture(bare(), hide=("motion",))
     picture.page.evaluate("setReducedMotion(false)")

@@ -111,7 +111,7 @@ class Stage {
     this.host.classList.add("ready");
     // Controls that were hidden do not show later changes.
     this.showClock();
-    if (hidMotion && !this.parts.hides("motion")) this.playback.reset();
+    if (hidMotion !== this.parts.hides("motion")) this.playback.reset();
   }
 
   /** Call a function that may move the bodies, and fade the picture to the new state. */
