@@ -252,7 +252,7 @@ def check_formulas(usual: Page, forced: Page) -> None:
 
 
 def test_dotted_letters_are_whole_on_the_screen_and_on_paper(visit):
-    address = "derivation?route=energy&show=reading"
+    address = "derivation?show=reading"
     usual, forced = visit(address, figures=False), visit(address, figures=False, forced_colors="active")
     check_formulas(usual, forced)
     for page in (usual, forced):

@@ -103,11 +103,17 @@ class Drawn(BaseFigure):
         return f"Drawn({len(self._sent['data'])} traces)"
 
 
-def legend(height: float = 1.02) -> dict[str, Any]:
-    """Return the layout of a legend in rows above the panels, at a height in fractions of the plotting area."""
+def legend(height: float = 1.02, orientation: str = "h") -> dict[str, Any]:
+    """Return the layout of a legend above the panels.
+
+    Parameters
+    ----------
+    height : its lower edge, in fractions of the plotting area
+    orientation : "h" for rows; "v" for a column of long names, which cannot overlap in a wider window
+    """
     return {
         "showlegend": True,
-        "legend": {"orientation": "h", "x": 0, "y": height, "yanchor": "bottom", "tracegroupgap": 0},
+        "legend": {"orientation": orientation, "x": 0, "y": height, "yanchor": "bottom", "tracegroupgap": 0},
     }
 
 
@@ -174,7 +180,7 @@ def in_large_print(figure: BaseFigure) -> Drawn:
     has_note_above = any(note.get("yref") == "paper" and note["y"] == 1 for note in notes)
     legend_names = {trace["name"] for trace in sent["data"] if trace.get("name") and trace.get("showlegend", True)}
     if "legend" in layout:
-        is_column = len(legend_names) > _ROW
+        is_column = len(legend_names) > _ROW or layout["legend"].get("orientation") == "v"
         place = {"orientation": "v", "tracegroupgap": 0, "maxheight": 1000} if is_column else layout["legend"]
         layout["legend"] = {**place, "font": {"size": _LETTERS}}
     margin_above = _MARGIN_WITH_WORDS if has_note_above else _MARGIN_ABOVE

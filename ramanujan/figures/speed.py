@@ -272,7 +272,7 @@ def phase_errors(periods: Sequence[float], curves: Mapping[str, Sequence[float]]
     x_range = float(np.log10(periods[0])), float(np.log10(periods[-1]))
     x_axis = axis(_("periods"), x_range, type="log", dtick=3)
     y_axis = log_axis(_("phase error [rad]"), (1e-17, 200.0))
-    return figure(traces, colors, 384, margin=_MARGIN, xaxis=x_axis, yaxis=y_axis, **legend())
+    return figure(traces, colors, 384, margin=_MARGIN, xaxis=x_axis, yaxis=y_axis, **legend(orientation="v"))
 
 
 def _points(x: Iterable[float], y: Iterable[float]) -> list[list[str]]:
