@@ -90,7 +90,10 @@ def places(drawn: dict) -> dict[str, float]:
 
 
 def length(arrow: list[float] | None) -> float:
-    """The length of an arrow in pixels, positive to the right; its path begins at its tail."""
+    """The length of an arrow in pixels, positive to the right.
+
+    An arrow is the list of its left, top, right and bottom edge, and of the x and y of its tail.
+    """
     if arrow is None:
         return 0.0
     left, _, right, _, tail, _ = arrow
@@ -98,7 +101,7 @@ def length(arrow: list[float] | None) -> float:
 
 
 def upwards(arrow: list[float] | None) -> float:
-    """The length of an upright arrow in pixels, positive upwards."""
+    """The length of an upright arrow in pixels, positive upwards. See `length` for the list."""
     if arrow is None:
         return 0.0
     _, upper, _, lower, _, tail = arrow

@@ -101,7 +101,7 @@ def test_every_page_is_listed():
 @pytest.mark.parametrize("shift", range(0, len(UNMEANT), 6))
 @pytest.mark.parametrize("name", PAGES)
 def test_all_keys_at_once_cause_no_error(name, shift):
-    """Give each key another kind of invalid value, and each page two assignments."""
+    """Give each key of a page another kind of invalid value. `shift` changes the kinds."""
     keys, kinds = sorted({**OWN[name], **SHARED}), list(UNMEANT)
     app = opened(name, {key: UNMEANT[kinds[(i + shift) % len(kinds)]] for i, key in enumerate(keys)})
     (warning,) = app.warning

@@ -235,7 +235,7 @@ def ink(formula: Locator) -> np.ndarray:
 
 
 def lost_share(usual: np.ndarray, forced: np.ndarray) -> float:
-    """Return the share of ink without ink at the same place, or beside it, in the other picture."""
+    """Return the share of the ink in `usual` that is missing in `forced`, also from the adjacent pixels."""
     height, width = (min(sizes) for sizes in zip(usual.shape, forced.shape, strict=True))
     around = np.pad(forced[:height, :width], 1)
     near = np.any([around[y : y + height, x : x + width] for y in range(3) for x in range(3)], axis=0)

@@ -198,7 +198,7 @@ def check_greatest_friction(page):
     now = page.evaluate("globalThis.ramanujan.last('time/motion')")
     assert not now["playing"]
     assert cursor_times(page) == [pytest.approx(now["time"], abs=0.02)]
-    # No contact is nearer to slipping at any of ten thousand other moments of the core.
+    # The numeric core, at ten thousand other moments, finds no contact nearer to slipping.
     machine = Oscillator(1, 1, 10)
     spacing = cache.drawn_spacing(machine.radius)
     times = np.linspace(0, machine.period, 10_001)

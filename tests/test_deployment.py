@@ -77,7 +77,7 @@ def test_visitors_are_distributed_and_each_stays_in_one_process(hall: deployed) 
 
 
 def test_a_visitor_is_identified_by_the_address_from_the_proxy(hall: deployed) -> None:
-    """The app ignores addresses in a visitor's headers: a hundred of them count as one network."""
+    """The app ignores the addresses in a visitor's own headers: visitors with one address count as one network."""
     school = classes.Classes(f"{hall.state.name}/classes.sqlite")
     opened = school.open_class()
 
@@ -101,7 +101,7 @@ def test_a_visitor_is_identified_by_the_address_from_the_proxy(hall: deployed) -
             rows = file.execute("SELECT network FROM voter WHERE code = ?", (opened.code,))
             return Counter(network for (network,) in rows)
 
-    # A thread has no event loop, where Playwright may have left one.
+    # Use another thread, because Playwright may have left an event loop in this one.
     with ThreadPoolExecutor(1) as thread:
         for number in range(4):
             thread.submit(asyncio.run, join("127.0.0.2", f"10.0.0.{number}")).result()

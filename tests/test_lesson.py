@@ -113,7 +113,7 @@ def paper_formula(m, m_prime, k):
 
 
 def expected() -> dict[str, str]:
-    """Return the right option of every stop, computed without the package."""
+    """Return the right option of every stop, computed without the package; "?" if the computation contradicts it."""
     motion, turn = history()
     later = motion(1.5 * turn)  # the slab moves right, through the middle
     assert later[4] > 0
@@ -261,7 +261,8 @@ def test_the_replies_are_computed_for_this_machine():
     low, high = fractions(lesson.stop("exactly").options["several"])
     assert f"{normalized(m_prime=float(low)):.5g}" in reply_to("exactly", "several")
     assert f"{normalized(m_prime=float(high)):.5g}" in reply_to("exactly", "several")
-    # The top cylinder slips first below this ratio; with the slab's tilt.
+    # Below this ratio, the top cylinder slips first. The displaced slab loads its two rollers by (1 ± tilt)/2 of its
+    # weight.
     light = float(re.search(r"ε were less than (\d+\.\d+)", reply_to("contact", "top_block"))[1])
     tilt = 0.08 / 0.29
     for ratio, first in ((light - 0.02, "top"), (light + 0.02, "hoop")):

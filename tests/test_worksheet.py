@@ -115,6 +115,7 @@ def test_no_question_answers_another():
 
 
 def test_the_derivation_leads_less_from_level_to_level_and_its_key_is_whole():
+    """Level 1 has one gap in a step, level 2 one in each equation, and level 3 no equations. The answers are equal."""
     few, many, none = ([q for q in questions(Oscillator(), "1", level) if not q.options] for level in (1, 2, 3))
     steps = len(few) - 5
     assert steps >= 5

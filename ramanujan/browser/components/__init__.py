@@ -296,7 +296,7 @@ def mount(
     key : Streamlit's key of the element
     data : data of the component
     event : name of the component's trigger or state
-    on_value : called with each value that has the type of the example; other values do not come from the page
+    on_value : called with each value of the example's type. Any other value is ignored.
     example : an example of a value
     """
 

@@ -75,6 +75,7 @@ export default function ({ data: { sums, alternatives, captions, words }, parent
     const high = Math.max(...sums.map((sides) => tallest(sides, box.checked, widest + SPACING)));
     for (const [sides, svg] of pictures) {
       const layers = new Map();
+      // A cube that is pulled apart has `count` equal layers, and each is shifted by `rise` from the previous one.
       for (const { cube, face, outline, grid, layers: count, rise } of faces(sides, box.checked, Number(slider.value)))
         for (let n = 0; n < count; n++) {
           const key = `${cube} ${n}`, place = { class: `cube-${cube}`, transform: `translate(0 ${n * rise})` };

@@ -8,7 +8,7 @@ import { dom } from "./streamlit_dom.js";
 const NEAR = 6; // px, the distance from the goal within which a thumb snaps to it; a key snaps only at the step beside it
 const PAUSE = 400; // ms after the last move until the goal is sent: the slider sends its step before
 
-/** Return two functions for the slider with this key. `send` sends a text like a typed one. */
+/** Return the functions `moveTo` and `follow` for the slider with this key. `send` sends a text like a typed one. */
 export function makeSnap(key, send, signal) {
   let last; // the slider's value after its last move
   let cause = null; // "key" or "thumb", until the page has drawn the move

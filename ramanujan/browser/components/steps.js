@@ -19,6 +19,7 @@ export default function (component, signal) {
 
   /** Show the present step and hide all others. */
   function reveal() {
+    // The doubled class takes precedence over page.css, which hides all steps.
     const step = `.st-key-step_${turner.now}`;
     sheet.textContent = `#root .st-key-lecture ${step}${step} { display: var(--step, flex); }`;
     bus.publish("step", turner.now);

@@ -31,7 +31,7 @@ export default function (component, signal) {
 }
 
 function setColors(parentElement) {
-  // Read all colours before setting the first, for the same reason.
+  // Read all colours before setting the first, because each reading after a change would compute all styles again.
   const colors = Object.entries(COLORS).map(([name, streamlitName]) => [`--${name}`, dom.color(parentElement, streamlitName)]);
   for (const each of colors) document.documentElement.style.setProperty(...each);
 }

@@ -16,7 +16,7 @@ export default function (component, signal) {
     component.setTriggerValue("to", stop);
   }
 
-  // On a projector, a clicker turns the slides of the present stop first.
+  // On a projector, a clicker's page keys first turn the slides of the present stop, up to the first or last one.
   function turns({ key }, by) {
     return key.startsWith("Arrow") || (key.startsWith("Page") && component.data.clicker && !bus.last("slides")?.has(by));
   }

@@ -34,7 +34,7 @@ export class Turner {
     document.addEventListener("keydown", press, { signal });
   }
 
-  /** Go to a step. Return whether the step exists. */
+  /** Go to a step, or to the nearest one that exists. Return whether the step has changed. Beyond the last, follow the link. */
   go(wanted) {
     const to = Math.min(Math.max(wanted, 1), this.component.data.headings.length);
     if (to === this.now) {

@@ -53,7 +53,7 @@ export function makeDial(root) {
     if (node.textContent !== text) node.textContent = text;
   }
 
-  /** Show a machine's frequencies. `showsNearness` is false while the page must not reveal how near the two are. */
+  /** Show a machine's frequencies. `showsNearness` is false while the page must not reveal how close both frequencies are. */
   function machine(solution, showsNearness) {
     readouts.normalized.textContent = number(solution.normalized, 7);
     readouts.omega.textContent = withUnit(number(solution.Omega, 5), "rad/s");

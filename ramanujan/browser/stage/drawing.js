@@ -137,7 +137,10 @@ export function verticalForces(known, g, shift) {
   return forces;
 }
 
-/** A spring between two points at the same height: the strands in front of its axis, with both ends, and those behind. */
+/**
+ * The two paths of a spring between two points at the same height. The front path has both ends and the strands in front of the
+ * spring's axis; the back path has the strands behind it.
+ */
 export function coil(selector, from, to, y, height) {
   const turns = 10, lead = clamp((to - from) / 8, 0, 3), across = (to - from - 2 * lead) / turns / 2;
   const strands = (rise) => `l${across} ${-rise}m${across} ${rise}`.repeat(turns);
@@ -164,7 +167,7 @@ export function shapeOf(beta) {
 export function arc(x, y, across, upright, from, to) {
   const pieces = Math.ceil(Math.abs(to - from) / (TURN / 4)), step = (to - from) / pieces;
   const handle = (4 / 3) * Math.tan(step / 4); // length of a Bézier handle that approximates a circle
-  // The point at an angle, or with `direction` 1 or −1 the end of its handle ahead of it or behind it.
+  // The point at an angle. With `direction` 1 or −1: the end of its handle in the direction of larger or smaller angles.
   const point = (angle, direction) => {
     const [sin, cos] = [Math.sin(angle), Math.cos(angle)];
     return `${x + across * (sin + direction * handle * cos)} ${y - upright * (cos - direction * handle * sin)}`;

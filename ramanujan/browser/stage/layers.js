@@ -18,6 +18,7 @@ const PERIOD_POINTS = 24; // states of a period at which the largest speed and f
 
 export function makeLayers(root) {
   const find = finder(root), layers = layerNames(root);
+  // `peak` has the largest value of each kind of arrow, and `per` its length per unit.
   let shown = new Set(), place = null, peak, per, data = {}, seenFrom = "ground", measure = null, layered = false;
 
   const [bars, names, shares] = [".bar i", ".legend span", ".legend b"].map((each) => [...root.querySelectorAll(each)]);

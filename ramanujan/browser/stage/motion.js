@@ -35,7 +35,7 @@ export function stateAt({ Omega, motion }, phase, time, [cosine, sine] = [Math.c
   return state;
 }
 
-/** The replacements of cos Ωt and sin Ωt for a computed motion: its q, linear between two samples, and minus its slope. */
+/** The replacements of cos Ωt and sin Ωt for a computed motion: q, interpolated linearly, and −dq/d(Ωt). */
 export function sampleAt({ q, per_period }, phase) {
   const position = clamp((phase / TURN) * per_period, 0, q.length - 1); // in samples
   const i = Math.min(Math.floor(position), q.length - 2);

@@ -52,10 +52,12 @@ export class Playback {
     return this.computed && stateAt(this.solution, this.phase, this.time, sampleAt(this.computed, this.phase));
   }
 
+  /** The present state: no later than the end of the motion. */
   now() {
     return this.at(this.exit === null ? this.phase : Math.min(this.phase, this.exit));
   }
 
+  /** The state to draw: the present one with the fading offset. */
   drawn() {
     return mapValues(this.now(), (value, name) => value + (this.offset[name] ?? 0));
   }
@@ -78,7 +80,10 @@ export class Playback {
     this.exit = null;
   }
 
-  /** Advance the time. Return the reason for the end of the motion, or null. The motion repeats after `periods`, if given. */
+  /**
+   * Advance the time. Return the reason for the end of the motion, or null. After `periods`, if given, a periodic motion
+   * repeats, and any other motion ends for the reason "again".
+   */
   advance(seconds, periods) {
     this.phase += this.solution.Omega * seconds;
     this.plainPhase += this.solution.plain * seconds;
@@ -99,6 +104,7 @@ export class Playback {
     return this.exit === null ? null : this.exitReason();
   }
 
+  /** The reason for the end of the motion just beyond the phase `exit`. */
   exitReason() {
     return this.collision(this.at(this.exit + SCAN)) ?? "edge";
   }

@@ -14,7 +14,10 @@ const GIVE = 0.02; // m, the largest displacement beyond a bound
 const KEY_STEP = 0.005; // m
 const KEY_PAUSE = 400; // ms from the last key stroke until x₀ is sent
 
-/** The compression to draw if the pointer is at `wanted` [m]. Beyond a bound by more than `slack`, the slab lags behind it. */
+/**
+ * The compression to draw if the pointer is at `wanted` [m]. Beyond a bound by more than `slack`, the slab lags behind the
+ * pointer.
+ */
 function elastic(wanted, [least, most], slack = 0) {
   const bound = clamp(wanted, least, most);
   const excess = Math.abs(wanted - bound) - slack;
@@ -81,6 +84,7 @@ export class Slab {
     this.compress(grip.deformation + picture.toMetres(clientX) - grip.from, grip.slack);
   }
 
+  /** Release the pointer. Call `finish` if it has dragged the slab. */
   end(finish) {
     const dragged = this.grip.from !== undefined;
     this.grip = null;

@@ -61,6 +61,7 @@ class Stage {
 
   // ---- data from Python, and changes
 
+  /** Receive the data of `publish` in __init__.py. The first data also restore the view in the address and the desk's view. */
   receive(data) {
     const before = this.data;
     if (!before) Object.assign(this.clock, this.keeper.clock());
@@ -80,8 +81,9 @@ class Stage {
   }
 
   /**
-   * Show the view of a class's desk: its layers, its frame, and its phases, advanced by the time since they were sent. A desk
-   * also receives its own view (`own`), and applies it only to a stage that begins.
+   * Show the view of a class's desk: its layers, its reference frame, and its phases, advanced by the time since they were sent.
+   * `begins`: whether this stage has just received its first data. A desk also receives its own view (`own`), and applies it
+   * only in this case.
    */
   follow(view, begins = false) {
     if (view && !arrivals.has(view)) arrivals.set(view, performance.now());
@@ -168,7 +170,7 @@ class Stage {
     } else this.showSlowing();
   }
 
-  /** Compare a computed machine with the exact one; a period lasts `pace` seconds. null shows the end. */
+  /** Compare a computed machine with the exact one; a period lasts `pace` seconds. Without a pace, pause at the end. */
   race(pace) {
     this.setLapse(pace);
     if (pace) return;

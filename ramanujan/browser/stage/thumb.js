@@ -38,7 +38,7 @@ export class Hand {
   /** Read the sliders, once a frame; return whether a value has changed. Send x₀, unless the server is away. */
   look() {
     if (this.unsent !== null && dom.sendSlider(this.slider, this.onSlider(this.unsent))) {
-      // The slider shows the value from the microtask before this one on.
+      // The slider shows the value after a microtask that is already queued; until then, `unsent` replaces it.
       queueMicrotask(() => (this.unsent = null));
     }
     const before = this.seen;
@@ -73,6 +73,7 @@ export class Hand {
     dom.moveSlider(this.slider, this.onSlider(compression));
   }
 
+  /** End the drag. `look` then sends x₀ [m]. */
   drop(compression) {
     this.drawn = null;
     this.unsent = compression;
