@@ -323,7 +323,7 @@ def _remove_unknown(names: Iterable[str], known: Mapping[str, bool]) -> list[str
     """
     others = set(st.query_params).difference(names)
     for name in others & known.keys():
-        # Leave a parameter that Streamlit binds to Streamlit.
+        # Streamlit itself manages the parameters that it binds to widgets.
         if not known[name]:
             del st.query_params[name]
     if not others - known.keys() or st.session_state.get(_WARNED):

@@ -3,7 +3,7 @@
 from ramanujan.derivation.rows import Row, align
 
 LINE_WIDTH, ROOM = 34, 37
-"""Number of characters that fit next to the machine: of a formula, and of a formula with its operation behind it."""
+"""Number of characters in a line next to the machine: without and with an operation at its end."""
 _LONG_BLOCK = 6
 """Number of lines from which a block has less space between its lines."""
 
@@ -14,7 +14,7 @@ def typeset_beside_machine(rows: list[Row], room: float = ROOM) -> str:
     Parameters
     ----------
     rows : the equations
-    room : number of characters that fit into a line with its operation
+    room : the largest number of characters of an equation with its operation beside it instead of below
     """
     lines = sum(len(row.lines(LINE_WIDTH)) for row in rows)
     space = ".5em" if lines < _LONG_BLOCK else ".3em"

@@ -41,7 +41,7 @@ def note(key: str, sentence: str, warning: bool = False) -> None:
     ----------
     key : key of the parameter
     sentence : the message
-    warning : whether it is a warning or an information
+    warning : whether to show it as a warning instead of a note
     """
     st.session_state[_NOTES] = {**st.session_state.get(_NOTES, {}), key: (sentence, warning)}
 

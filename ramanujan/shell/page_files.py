@@ -35,7 +35,7 @@ _MISSING = _File(b"", b"", {"content-type": "text/plain"}, 404)
 
 
 class PageFiles:
-    """Middleware that answers requests for the page's files, and for any page with the app's own start page.
+    """Middleware that serves the page's files, and the app's own start page at the address of each page.
 
     It comes before Streamlit, because routes of an app cannot replace `/static/`.
     """
@@ -46,7 +46,7 @@ class PageFiles:
         self.root = f"/{base}" if base else ""
         self.files = _streamlit_files() | _module_files() | {STANDALONE_FILE: _standalone()}
         self.page = _page(has_formulas=True)
-        # The lesson starts without formulas, and a whole class loads it over one network.
+        # A whole class loads the lesson over one network. It starts without formulas, so it needs no fonts for them.
         self.lesson = _page(has_formulas=False)
 
     async def __call__(self, scope: dict[str, Any], receive: Any, send: Any) -> None:

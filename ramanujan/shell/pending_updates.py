@@ -1,8 +1,7 @@
 """Values of widgets that the app sets: a preset, an exact entry, a click on the curve, the machine of a stop.
 
 Each message from the page contains the values of all widgets at the time it was sent. If the page has not yet received
-a value that the app set, its message would restore the old value. This protocol prevents that for
-every widget:
+a value that the app set, its message would restore the old value. This protocol prevents that for every widget:
 
 1. Each update has a number, and a hidden slider is set to the number of the last one.
 2. Streamlit's page sets its widgets to the values from the server, the hidden slider last. Every later message
@@ -60,6 +59,7 @@ def reassert() -> None:
     updates = {}
     for key, update in waiting.items():
         current = st.session_state.get(key)
+        # Any other value comes from the user, who has moved the widget meanwhile.
         updates[key] = update if current in update.old_values else update._replace(value=current)
     _set(updates)
 
@@ -72,7 +72,8 @@ def waits() -> bool:
 def draw() -> None:
     """Draw the hidden slider, from the first run on. Call it after all widgets that are set.
 
-    A message without this slider would leave its number as the server has set it.
+    If the page did not have this slider yet, its message would leave the server's number in the session state, as if
+    the page had received every update.
     """
     if waits():
         st.session_state[_SEEN] = _last_number()

@@ -35,6 +35,7 @@ _REQUESTS = "requests"
 The list is changed in place, so that an interrupted run loses no request.
 """
 _JUDGED = "judged"
+"""Session state: number of texts that the boxes have sent and `take_exact` has judged."""
 _FIRST = "first_run"
 _FOLLOW = "follow"
 """Session state: the keys of the fragments that follow the machine, if the page was completely drawn."""
@@ -94,7 +95,7 @@ def presets(offered: Collection[str]) -> None:
 
 
 def symbols() -> None:
-    """Draw the list of symbols. Only an open list is sent: it would be a twentieth of every change."""
+    """Draw the list of symbols. A closed expander sends no list, which saves a twentieth of the data of a rerun."""
     with st.expander(pgettext("list of them", "Symbols"), key="symbols", on_change="rerun") as opened:
         if opened.open:
             entries = cache.symbols("euler_lagrange", x_0=_("compression of the spring at release [m]"))
@@ -112,7 +113,8 @@ def follow(*fragments: str) -> None:
 
     Parameters
     ----------
-    fragments : keys of the fragments that depend on the machine; one of them calls `followed`
+    fragments : keys of the fragments that depend on the machine. One of them publishes the messages of `followed`,
+        because the boxes of the sliders are not redrawn.
     """
     st.session_state[_FOLLOW] = fragments
 
@@ -151,7 +153,7 @@ def begin(problems: list[str]) -> None:
     """
     st.session_state.pop(_FOLLOW, None)
     st.session_state[_FIRST] = _FIRST not in st.session_state
-    # In the first run the sliders have the values in the link, without the invalid ones.
+    # Store the valid values of the link for `_reset`. The sliders have these values in the first run.
     st.session_state.setdefault(_LINKED, {key: parameter.value for key, parameter in PARAMETERS.items()})
     pending_updates.reassert()
     for request in sorted(_requests(), key=lambda request: request.func is not take_exact):
@@ -187,6 +189,7 @@ def take_ratio(ratio: float, digits: int = 17) -> None:
 
 
 def _set_ratio(ratio: float, digits: int) -> None:
+    """Set m′ = εm. If no m′ in its range fits, also change m, as little as possible, and show a message."""
     rollers, others = PARAMETERS["m_prime"], PARAMETERS["m"]
     ratio = min(max(ratio, rollers.least / others.most), rollers.most / others.least)
     m = others.value
@@ -237,7 +240,7 @@ def _on_sliders(machine: Oscillator, metres: float) -> dict[str, float]:
 
 
 def _reset() -> None:
-    """Reset every parameter to its value in the link, or from there to its default; explain the difference."""
+    """Reset all parameters to the values in the link, or if they have these, to the defaults. Show which."""
     defaults = {parameter.name: parameter.default for parameter in PARAMETERS.values()}
     linked = st.session_state.get(_LINKED, defaults)
     there = all(PARAMETERS[key].value == value for key, value in linked.items())

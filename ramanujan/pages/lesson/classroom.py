@@ -74,7 +74,7 @@ def _draw_student_page(seat: Seat, show: Callable[..., None]) -> None:
     with st.container(key="class_phone"):
         st.html(NOTHING_TO_SET)
         above = st.container()
-        # The fragment runs first, because the next run can cut off the end of this one.
+        # Call the fragment before the machine is drawn, because a rerun may interrupt this run before its end.
         _draw_seat()
         below = st.container()
         _draw_leave_button()
@@ -226,7 +226,7 @@ def _follow_desk(now: ClassQuestion, place: str) -> None:
     if now.stop != st.session_state[_LAST_STOP]:
         st.session_state[_LAST_STOP] = now.stop
         st.session_state[progress.STOP.name] = now.stop or place
-    # This also applies after a move of this desk, because its buttons rerun only the desk.
+    # The desk's own buttons also need this rerun: they rerun only the desk, not the stop next to it.
     if address.current(progress.STOP) != place:
         st.rerun()
 
@@ -263,6 +263,7 @@ def _draw_moves(key: str, stop: Stop | None, now: ClassQuestion, last: ClassQues
         shortcut: str = "",
         disabled: bool = False,
     ) -> None:
+        """Draw a button with a callback. Emphasize the forward button, which has the shortcut PageDown."""
         st.button(
             label,
             key=f"class_{name}",
@@ -355,7 +356,7 @@ def _offer_votes(key: str, name: str) -> None:
     Parameters
     ----------
     key : the lecturer's key
-    name : key of the second widget, and prefix of the first
+    name : key of the button for the second file; with the suffix “_spreadsheet”, that for the first
     """
     results = shared().results_for_lecturer(key)
     code, _secret = split_key(key)
@@ -387,7 +388,7 @@ def _manage_seats(key: str) -> None:
 
 
 def _draw_ending(key: str) -> None:
-    """Draw the button that ends the class, its expiry date and a last download."""
+    """Draw the expiry date of the class, a last download, and the button that ends the class."""
 
     def end() -> None:
         shared().close(key)
@@ -448,7 +449,7 @@ def _draw_seat() -> None:
     except ClassError as error:
         st.warning(str(error))
     else:
-        # Question and machine are outside of the fragment that reruns every few seconds.
+        # The stop's text and machine are drawn outside of this fragment, so a new stop needs a rerun of the page.
         if _visible_machine(question) != st.session_state[_DRAWN]:
             st.rerun()
         class_session.follow(seat.code)

@@ -49,7 +49,7 @@ def draw_parts() -> None:
 
 
 def uses_sidebar() -> bool:
-    """Return whether the reader sets the machine: in a task, or on request at a stop."""
+    """Return whether the reader sets the machine: in a task or exercise, or on request at a stop."""
     return (
         address.current(progress.PART) == "tasks"
         or bool(address.current(exercise.EXERCISE))

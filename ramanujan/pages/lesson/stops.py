@@ -95,6 +95,7 @@ def are_sliders_open() -> bool:
 
 
 def _open_sliders() -> None:
+    """Open the sliders of the sidebar, in a callback. Each new count makes the page show them again."""
     st.session_state[_SLIDERS] = st.session_state.get(_SLIDERS, 0) + 1
 
 

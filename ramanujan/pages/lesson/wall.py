@@ -52,7 +52,7 @@ def _draw(code: str) -> None:
             st.button(_("Leave this class"), key="class_leave", on_click=class_session.leave)
             return
         class_session.apply_settings(shared().machine(code))
-        # This comes first, because the next run can cut off the end of this one.
+        # Call the fragment first, because a rerun may interrupt this run before its end.
         _follow_class(code)
         if question.stop is None:
             _draw_invitation(code)
@@ -87,9 +87,10 @@ def _draw_question(code: str, stop: Stop, question: ClassQuestion) -> None:
 
 @st.fragment(run_every=class_session.VIEW_INTERVAL)
 def _follow_class(code: str) -> None:
-    """Draw the numbers that change often. Rerun the page when the class moves on or ends, and once more after a while.
+    """Draw the numbers that change often. Rerun the page when the class moves on or ends.
 
-    The fragment also shows the view and the sliders of the desk.
+    A further rerun, `_REDRAW_AFTER` polls later, restores elements that a busy server may have lost. The fragment also
+    mirrors the desk's view and sliders.
     """
     try:
         now = class_session.question(code)
@@ -130,7 +131,7 @@ def _draw_results(code: str) -> None:
 
 
 def _draw_invitation(code: str) -> None:
-    """Draw code and address in letters for the last row."""
+    """Draw code and address in letters that students in the last row can read."""
     url = address.link_for_others({"class": code})
     picture, words = display_mode.picture_and_words(2)
     with picture:

@@ -124,7 +124,7 @@ def forget_seconds() -> None:
 @st.cache_resource(show_spinner=_("Computing all powers of ten …"), max_entries=1)
 @responsive()
 def sweeps() -> tuple[list[Sweep], list[EigenSweep]]:
-    """Return the forms of Ω² and the eigen-solvers over the range of floating point."""
+    """Return the errors of the forms of Ω², and of the eigen-solvers, over the range of floating point."""
     return extremes(), eigen_solvers()
 
 

@@ -127,7 +127,7 @@ def compare_solvers() -> None:
 
 
 def list_choices() -> None:
-    """List the app's own methods with their uses, reasons and measurements."""
+    """List the app's own methods with their uses, reasons and measurements, the named slots of `_CHOICES`."""
     choices = cache.choices()
     sweeps, _solvers = cache.sweeps()
     random_machines = {s.form: s for s in sweeps if s.sweep_name == "machines" and s.dtype == "float64"}

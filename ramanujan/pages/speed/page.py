@@ -1,4 +1,4 @@
-"""Page 5: the required accuracy of a scene and its cost, measured on the server of this page."""
+"""Page 5: the accuracy of the closed form and of integrators, and its cost, measured on the server of this page."""
 
 import math
 from functools import partial
@@ -79,7 +79,7 @@ def draw_error_growth(method: str, steps: int) -> int:
         drawings.plot(figure, "growth", alternative.format(errors=" ".join(map(_describe_error, runs))))
     with words:
         st.markdown(verdicts.describe_errors(run))
-        # A slide of the projector view has room for the figure and its result.
+        # A slide of the projector view has no room for the caption.
         if not display_mode.is_projector():
             st.caption(
                 _(

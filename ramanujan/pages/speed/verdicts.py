@@ -245,7 +245,7 @@ def _describe_value(sweep: Sweep, stretch: Stretch) -> str:
 
 
 def describe_phases(errors: Sequence[PhaseErrors]) -> str:
-    """State from when the error of each computation of the phase is too large, and that of the reduced phase."""
+    """State when the phase in float32 becomes meaningless, and its errors in float64 with and without reduction."""
     sentences = []
     for before, after in pairwise(errors):
         if before.float32 <= 1 < after.float32:

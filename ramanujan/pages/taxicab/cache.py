@@ -215,7 +215,10 @@ class Tally:
 @st.cache_resource(show_spinner=False)
 @responsive()
 def tally(left: str, right: str) -> Tally:
-    """Count for all targets p/q that the machine reaches with every body on top; p and q are at most COUNTED_PART."""
+    """Count the sums of two cubes among the discriminants of a pair of lower rollers, with every body on top.
+
+    The targets are all p/q with p and q up to COUNTED_PART that the machine reaches with each of these bodies.
+    """
     limit = min(number_theory.normalized_frequency_squared_exact(left, right, top, 0) for top in number_theory.BODIES)
     parts = range(1, COUNTED_PART + 1)
     targets = [Fraction(p, q) for p in parts for q in parts if gcd(p, q) == 1 and Fraction(p, q) < limit]

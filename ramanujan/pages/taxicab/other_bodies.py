@@ -205,7 +205,8 @@ def bodies_html(color: str) -> str:
         f' alt="" src="{_drawing_url(body, color)}"><figcaption>{WORDS[body]}<br>β = {beta}</figcaption></figure>'
         for body, beta in BODIES.items()
     ]
-    row = "<div style='display:flex;flex-wrap:wrap;gap:.6rem 1rem'>{}</div>"  # Draw four in a row, or two rows of two.
+    row = "<div style='display:flex;flex-wrap:wrap;gap:.6rem 1rem'>{}</div>"
+    # On a narrow screen a row of two pairs wraps into two rows.
     return row.format(row.format("".join(figures[:2])) + row.format("".join(figures[2:])))
 
 

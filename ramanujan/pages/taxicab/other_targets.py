@@ -98,7 +98,7 @@ def draw_curve() -> None:
 
 
 def draw_open_question() -> None:
-    """Draw the open question: what is known, a count that supports it, and what remains a coincidence."""
+    """Draw the open question: the known facts, a count that supports them, and the remaining coincidences."""
     with slide("reason", _("Is there a reason?")):
         st.header(_("Is there a reason?"), anchor=False)
         sentence = _(

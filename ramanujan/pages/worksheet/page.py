@@ -183,7 +183,7 @@ def draw_head(machine: Oscillator, paper: str, seed: str, calculations: list[int
 
 
 def draw_question(number: int, question: WorksheetQuestion, with_key: bool) -> None:
-    """Draw a question with space to write, or with its answer. A page break may split only its lines."""
+    """Draw a question with lines to write on, or with its answer. A page break may come only between these lines."""
     with st.container(key=f"question_{number}"):
         points = ngettext("({n} point)", "({n} points)", question.points).format(n=question.points)
         begin = f"**{number}.** " if is_projector() else f"**{number}.** {points} "

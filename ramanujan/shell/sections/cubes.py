@@ -18,7 +18,7 @@ def draw_stacks() -> None:
 
 
 def describe_cubes(smaller: int, larger: int) -> str:
-    """Return the text alternative of a stack: two cubes, of which the volumes add up to 1729."""
+    """Return the text alternative of a stack: two cubes whose volumes add up to 1729."""
     template = _(
         "Two cubes built of unit cubes, {larger} and {smaller} along each edge. Together they have {volumes} = "
         "{number} unit cubes."

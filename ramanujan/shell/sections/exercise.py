@@ -47,7 +47,7 @@ def draw_exercise(items: tuple[str, ...]) -> None:
 
 
 def draw_question(name: str, has_key: bool) -> None:
-    """Draw a question of an exercise. Only the author, who has the key, sees the step to the answer."""
+    """Draw a question of an exercise. With the author's key, also draw the step to the answer."""
     with slide("question", title(name)):
         st.title(title(name), anchor=False)
         questions.judge_typed(name)
@@ -84,7 +84,7 @@ def worksheet_text(items: tuple[str, ...]) -> str:
 
 
 def results_of(item: str) -> list[str]:
-    """Return lines of Markdown about the answer to an item, the time of the first right one, and the used hints."""
+    """Return Markdown lines: the answer to a question or task, when it was first right, and the number of hints."""
     is_question = item in QUESTIONS
     answer = questions.answer_to(item)
     hints = widgets.hints_shown(item if is_question else f"task_{item}")
