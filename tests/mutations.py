@@ -33,7 +33,7 @@ class Mutation:
 
 
 _SPIN = "rotate(${(FORMULAS.angle[name](known) * 360) / TURN})"
-_ARROWS = "velocityArrow(x + over[name], y, velocity(name, known) * per.speed"
+_ARROWS = "velocityArrow(x + displaced[name], y, velocity(name, known) * per.speed"
 MUTATIONS = [
     Mutation("every roller turns backwards", "stage/drawing.js", _SPIN, _SPIN.replace("(FORM", "(-FORM")),
     Mutation(
@@ -51,8 +51,8 @@ MUTATIONS = [
     Mutation(
         "the hoop is drawn as a disc",
         "stage/drawing.js",
-        'beta > 0.8 ? "hoop"',
-        'beta > 1.8 ? "hoop"',
+        "if (beta > 0.8)",
+        "if (beta > 1.8)",
         "painted",
     ),
     Mutation(
@@ -91,8 +91,8 @@ MUTATIONS = [
     Mutation(
         "forces point the wrong way",
         "stage/layers.js",
-        "forceArrow(x, y, force * scale",
-        "forceArrow(x, y, -force * scale",
+        "forceArrow(x, y, newtons * scale",
+        "forceArrow(x, y, -newtons * scale",
         LAYERS,
     ),
     Mutation(
@@ -106,14 +106,14 @@ MUTATIONS = [
     Mutation(
         "the gauge stays at 1",
         "stage/dial.js",
-        "translate(${at(Math.min(solution.normalized, limit))} ",
-        "translate(${at(1)} ",
+        "translate(${gaugeX(Math.min(solution.normalized, limit))} ",
+        "translate(${gaugeX(1)} ",
     ),
     Mutation(
         "in step when it is not",
         "stage/dial.js",
-        "const IN_STEP = LEAST / 1e6;",
-        "const IN_STEP = LEAST;",
+        "const IN_STEP = VISIBLE / 1e6;",
+        "const IN_STEP = VISIBLE;",
         "in_step",
     ),
     Mutation(
@@ -177,7 +177,7 @@ MUTATIONS = [
     Mutation(
         "the wrong body is lit",
         "stage/terms.js",
-        "=== bodies.get(lit)",
+        "=== bodies.get(body)",
         '=== bodies.get("hoop")',
         "body_has_its_ink",
     ),
@@ -208,7 +208,7 @@ MUTATIONS = [
             "../shell/pending_updates.py",
             "update if current in update.old_values else update._replace(value=current)",
             taken,
-            "older_than_a_preset",
+            "old_message_does_not_undo",
         )
         for wins, taken in (
             ("the preset always wins", "update"),

@@ -14,6 +14,7 @@ import pytest
 import ramanujan.pages
 from ramanujan.shell import navigation, server
 from tests.browser import ROOT
+from tests.mutations import MUTATIONS
 
 pytestmark = pytest.mark.xdist_group("rooms")
 LANGUAGE = {"catalogue", "translation", "numerals"}
@@ -36,6 +37,12 @@ def test_every_name_in_the_guide_is_defined_in_its_file():
         code = path.read_text(encoding="utf-8")
         defined = re.search(rf"^(?:(?:def|class) )?{name}\b", code, re.MULTILINE)
         assert defined, f"CONTRIBUTING.md mentions {name} of {file}, which defines no such name."
+
+
+def test_every_mutation_changes_its_file():
+    for mutation in MUTATIONS:
+        text = (ROOT / "ramanujan/browser" / mutation.file).read_text(encoding="utf-8")
+        assert text.count(mutation.old) == 1, f"{mutation.name}: update the text in tests/mutations.py."
 
 
 def import_table() -> dict[str, tuple[set[str], set[str]]]:
