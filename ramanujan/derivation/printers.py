@@ -96,7 +96,7 @@ class LatexPrinter(VectorLatexPrinter):
         coefficient, behind = _split_coefficient(term)
         is_one_sum = len(term.above) == 1 and term.above[0].is_Add and not behind
         if denominator and not term.below and not is_one_sum:
-            # The number is a fraction of its own before the factors.
+            # Write the number as a separate fraction before the factors.
             numerator, denominator = rf"\frac{{{numerator}}}{{{denominator}}}", ""
         elif is_sum and (term.above or (sign < 0 and not term.below)):
             # The numerator p + r√n is a factor, or follows a minus sign.

@@ -163,7 +163,7 @@ class Several(Choice):
 
 @dataclass(frozen=True)
 class Text(URLParameter):
-    """A text that matches the regular expression `pattern`. Whoever uses the value checks whether it has a meaning."""
+    """A text that matches the regular expression `pattern`. Its meaning is checked where the value is used."""
 
     name: str
     pattern: str
