@@ -191,8 +191,8 @@ MUTATIONS = [
     Mutation(
         "what is typed before a preset is taken after it",
         "../shell/sidebar.py",
-        "request.func is not take_exact",
-        "request.func is take_exact",
+        "request.func is not set_number",
+        "request.func is set_number",
         "every_slider_preset_and_typed_value",
     ),
     Mutation(

@@ -20,7 +20,7 @@ def picture(bare) -> Picture:
 def opened(bare, **options) -> Picture:
     page = bare(**options)
     page.sliders(m=1, m_prime=1, k=10, compression=8, radius=10)
-    page.page.evaluate("bus.publish('exact/compression', { value: 8, text: '8.0', judged: 0 })")
+    page.page.evaluate("bus.publish('exact/compression', { value: 8, text: '8.0', processed: 0 })")
     return Picture(page)
 
 

@@ -178,7 +178,7 @@ def check_preset_after_typing(page, late_by, seconds: float, stage: str = "oscil
         page.locator(BOX).fill("4.44")
         button = page.get_by_text(preset, exact=True)
         if not button.is_visible():
-            page.locator(".st-key-aside summary").first.click()
+            page.locator(".st-key-more_controls summary").first.click()
         button.dblclick()
         settle(page)
         expect(page.locator(BOX)).to_have_value("1.0")

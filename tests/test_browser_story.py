@@ -80,7 +80,7 @@ def started(bare) -> Bare:
     page = bare()
     page.sliders(m=1.5, m_prime=1, k=10, compression=8, radius=10)
     page.put(lambda: exact("m_prime", widgets.box_settings(PARAMETERS["m_prime"]), lambda _text: None))
-    page.page.evaluate("bus.publish('exact/m_prime', { value: 1, text: '1.0', judged: 0 })")
+    page.page.evaluate("bus.publish('exact/m_prime', { value: 1, text: '1.0', processed: 0 })")
     page.stage(Oscillator(1.5, 1.0, 10.0))
     page.put(draw_story_button)
     return page
@@ -123,7 +123,7 @@ def test_the_story_is_true_at_every_moment_and_ends_in_step(started):
     page.wait_for_function("sent.length > 0")
     assert [each[-1] for each in started.sent] == [repr(GOAL)], "no message while it plays"
     assert evaluate("announced").count(IN_STEP) == 1
-    evaluate(f"bus.publish('exact/m_prime', {{ value: {GOAL!r}, text: '{GOAL!r}', judged: 1 }})")
+    evaluate(f"bus.publish('exact/m_prime', {{ value: {GOAL!r}, text: '{GOAL!r}', processed: 1 }})")
     started.put(lambda: stage.publish(stage.payload(Oscillator(1.5, GOAL, 10.0), 0.08), name="oscillator"))
     assert evaluate(f"() => (turn(1), ({NOW})())")["sentence"] == IN_STEP
     assert float(evaluate(MARK)) == pytest.approx((GOAL - 0.05) / (10 - 0.05))
@@ -215,7 +215,7 @@ def test_in_every_engine_a_key_snaps_to_the_goal_and_this_is_announced_once(star
     evaluate = started.page.evaluate
     evaluate(ANNOUNCED)
     started.put(lambda: stage.publish(stage.payload(Oscillator(1.5, 1.68, 10.0), 0.08), name="oscillator"))
-    evaluate("bus.publish('exact/m_prime', { value: 1.68, text: '1.68', judged: 0 })")
+    evaluate("bus.publish('exact/m_prime', { value: 1.68, text: '1.68', processed: 0 })")
     evaluate("document.querySelector('.st-key-m_prime input').value = 1.68")
     box = "document.querySelector('.st-key-m_prime_exact [data-testid]').shadowRoot.querySelector('input').value"
     evaluate("document.querySelector('.st-key-m_prime input').focus()")

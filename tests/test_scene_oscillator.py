@@ -13,7 +13,7 @@ import pytest
 
 from ramanujan import UNIT_MASS_RATIO, Oscillator
 from ramanujan.shell.parameters import PARAMETERS
-from ramanujan.shell.sidebar import PRESETS, take_exact
+from ramanujan.shell.sidebar import PRESETS, set_number
 from tests.browser import ROOT
 from tests.latex import equations
 from tests.reading import wide_formulas
@@ -41,7 +41,7 @@ def box(app, key: str) -> dict[str, object]:
 
 def type_in(app, key: str, text: str):
     """Pass a text to the callback of a box, and run the app."""
-    app.session_state["requests"].append(partial(take_exact, key, text))
+    app.session_state["requests"].append(partial(set_number, key, text))
     return app.run()
 
 

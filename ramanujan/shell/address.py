@@ -198,7 +198,7 @@ def read_once(page: str, parameters: Sequence[URLParameter]) -> list[str]:
     st.session_state[_LAST_PAGE] = page
     messages = []
     for parameter in parameters:
-        message = _copy_to_session(parameter, resets=is_history_navigation)
+        message = _copy_to_session(parameter, use_default=is_history_navigation)
         if message:
             messages.append(message)
     known = st.session_state.setdefault(_KNOWN, {})
@@ -295,10 +295,10 @@ def _read(parameter: URLParameter) -> tuple[Any, str | None]:
         return None, parameter.message()
 
 
-def _copy_to_session(parameter: URLParameter, resets: bool) -> str | None:
+def _copy_to_session(parameter: URLParameter, use_default: bool) -> str | None:
     """Copy a value from the address to the session state; remove an invalid value and return a message.
 
-    If the address does not contain the parameter, `resets` copies the default instead.
+    If the address does not contain the parameter, `use_default` copies the default instead.
     """
     value, sentence = _read(parameter)
     # A bound slider reads a valid value and removes an invalid one itself.
@@ -308,7 +308,7 @@ def _copy_to_session(parameter: URLParameter, resets: bool) -> str | None:
         del st.query_params[parameter.name]
     elif value is not None:
         st.session_state[parameter.name] = value
-    elif resets:
+    elif use_default:
         st.session_state[parameter.name] = parameter.default
     return sentence
 

@@ -207,8 +207,8 @@ def apply_settings(settings: str | None) -> None:
     values = {name: float(text) for name, text in parse_qsl(settings)}
     compression = values.pop("compression")
     machine = Oscillator(**values)
-    if not sidebar.holds(machine, compression):
-        sidebar.take_machine(machine, compression)
+    if not sidebar.shows_machine(machine, compression):
+        sidebar.request_machine(machine, compression)
         messages.run_again()
 
 

@@ -11,15 +11,15 @@ _NOTES = "messages_notes"
 """Session state: key of a parameter → the message at its box in the next run, and whether it is a warning."""
 _SHOWN = "messages_shown"
 """Session state: the notes that the current run shows."""
-_STAY = "messages_stay"
+_REPEAT = "messages_repeat"
 """Session state: whether the next run repeats the messages of this one."""
 
 
 def begin(problems: list[str]) -> None:
     """Begin a run: show the problems of the address. After `keep_in_next_run` the run also shows the old messages."""
-    stays = st.session_state.pop(_STAY, False)
-    old_problems = st.session_state.get(_ABOUT_ADDRESS, []) if stays else []
-    old_notes = st.session_state.get(_SHOWN, {}) if stays else {}
+    repeats = st.session_state.pop(_REPEAT, False)
+    old_problems = st.session_state.get(_ABOUT_ADDRESS, []) if repeats else []
+    old_notes = st.session_state.get(_SHOWN, {}) if repeats else {}
     problems = [*old_problems, *problems]
     st.session_state[_ABOUT_ADDRESS] = problems
     st.session_state[_SHOWN] = old_notes | st.session_state.pop(_NOTES, {})
@@ -63,7 +63,7 @@ def are_shown() -> bool:
 
 def keep_in_next_run() -> None:
     """Keep the messages during the next run, because it does not follow an action of the visitor."""
-    st.session_state[_STAY] = True
+    st.session_state[_REPEAT] = True
 
 
 def run_again() -> None:

@@ -34,36 +34,36 @@ _REQUESTS = "requests"
 
 The list is changed in place, so that an interrupted run loses no request.
 """
-_JUDGED = "judged"
-"""Session state: number of texts that the boxes have sent and `take_exact` has judged."""
+_PROCESSED = "processed_texts"
+"""Session state: number of texts of the boxes that `set_number` has processed."""
 _FIRST = "first_run"
-_FOLLOW = "follow"
-"""Session state: the keys of the fragments that follow the machine, if the page was completely drawn."""
+_FRAGMENTS = "machine_fragments"
+"""Session state: the keys of the fragments that depend on the machine, if the page was completely drawn."""
 _LINKED = "linked"
 """Session state: key of a parameter → its value when the session began."""
 
 
-def draw(withheld: Collection[str], aside: Collection[str]) -> None:
+def draw(withheld_presets: Collection[str], folded_parameters: Collection[str]) -> None:
     """Draw the sidebar. Call it once in each run, after `begin` and before the page.
 
     Parameters
     ----------
-    withheld : presets to omit, because they would reveal an answer
-    aside : keys of parameters of minor importance on this page, which are folded
+    withheld_presets : presets to omit, because they would reveal an answer
+    folded_parameters : keys of parameters of minor importance on this page, whose sliders are in an expander
     """
     with st.sidebar, st.container(key="controls"):
         components.drawer()
-        folded = [key for key, each in PARAMETERS.items() if each.is_folded or key in aside]
+        folded = [key for key, each in PARAMETERS.items() if each.is_folded or key in folded_parameters]
         for key in PARAMETERS:
             if key not in folded:
-                slider(key)
-        more([name for name in PRESETS if name not in withheld], folded)
+                draw_slider(key)
+        draw_more([name for name in PRESETS if name not in withheld_presets], folded)
         if display_mode.is_projector():
             display_mode.draw_bar()
         end()
 
 
-def more(offered: Collection[str], folded: Collection[str]) -> None:
+def draw_more(offered: Collection[str], folded: Collection[str]) -> None:
     """Draw the less frequent controls in an expander whose label describes them.
 
     Parameters
@@ -71,30 +71,30 @@ def more(offered: Collection[str], folded: Collection[str]) -> None:
     offered : ids of the presets
     folded : keys of the parameters in the expander
     """
-    with st.expander(_("More: ready machines, radius, symbols"), key="aside"):
+    with st.expander(_("More: ready machines, radius, symbols"), key="more_controls"):
         if offered:
-            presets(offered)
+            draw_presets(offered)
         for key in folded:
             if key == "radius":
                 st.caption(_("The radius R sets the size of the machine. Does it change the frequency? Try it."))
-            slider(key)
-        symbols()
+            draw_slider(key)
+        draw_symbols()
 
 
-def presets(offered: Collection[str]) -> None:
+def draw_presets(offered: Collection[str]) -> None:
     """Draw buttons for interesting machines, and the reset button."""
     st.pills(
         _("Presets"),
         offered,
         format_func=PRESETS.__getitem__,
         key=_PRESET,
-        on_change=_take_preset,
+        on_change=_request_preset,
         required=True,  # Otherwise the second press of a double click reverts the first one.
         label_visibility="collapsed",
     )
 
 
-def symbols() -> None:
+def draw_symbols() -> None:
     """Draw the list of symbols. A closed expander sends no list, which saves a twentieth of the data of a rerun."""
     with st.expander(pgettext("list of them", "Symbols"), key="symbols", on_change="rerun") as opened:
         if opened.open:
@@ -104,11 +104,11 @@ def symbols() -> None:
 
 def end() -> None:
     """Publish the values of the sliders to the boxes, after all sliders are drawn."""
-    components.publish("boxes_published", followed())
+    components.publish("boxes_published", collect_box_messages())
     pending_updates.draw()
 
 
-def follow(*fragments: str) -> None:
+def rerun_only(*fragments: str) -> None:
     """Let a slider rerun only these fragments of the page. Call it after the whole page is drawn.
 
     Parameters
@@ -116,23 +116,25 @@ def follow(*fragments: str) -> None:
     fragments : keys of the fragments that depend on the machine. One of them publishes the messages of `followed`,
         because the boxes of the sliders are not redrawn.
     """
-    st.session_state[_FOLLOW] = fragments
+    st.session_state[_FRAGMENTS] = fragments
 
 
-def followed() -> dict[str, object]:
+def collect_box_messages() -> dict[str, object]:
     """Return the messages to the boxes of the sliders, by topic of the page’s bus."""
-    judged = st.session_state.get(_JUDGED, 0)
+    processed = st.session_state.get(_PROCESSED, 0)
     values = {key: parameter.value for key, parameter in PARAMETERS.items()}
-    return {f"exact/{key}": {"value": value, "text": repr(value), "judged": judged} for key, value in values.items()}
+    return {
+        f"exact/{key}": {"value": value, "text": repr(value), "processed": processed} for key, value in values.items()
+    }
 
 
-def _moved() -> None:
-    """Rerun only the fragments that follow the machine, unless there are other changes or a run was interrupted.
+def _rerun_fragments() -> None:
+    """Rerun only the fragments that depend on the machine, unless there are other changes or a run was interrupted.
 
     Only a browser keeps the rest of the page. In a test without a browser, the whole page reruns.
     """
     pending_updates.reassert()
-    fragments = st.session_state.get(_FOLLOW)
+    fragments = st.session_state.get(_FRAGMENTS)
     if fragments and display_mode.is_browser() and not (_requests() or pending_updates.waits() or messages.are_shown()):
         st.rerun(fragments)
 
@@ -151,12 +153,12 @@ def begin(problems: list[str]) -> None:
     ----------
     problems : a sentence about each problem of the address
     """
-    st.session_state.pop(_FOLLOW, None)
+    st.session_state.pop(_FRAGMENTS, None)
     st.session_state[_FIRST] = _FIRST not in st.session_state
     # Store the valid values of the link for `_reset`. The sliders have these values in the first run.
     st.session_state.setdefault(_LINKED, {key: parameter.value for key, parameter in PARAMETERS.items()})
     pending_updates.reassert()
-    for request in sorted(_requests(), key=lambda request: request.func is not take_exact):
+    for request in sorted(_requests(), key=lambda request: request.func is not set_number):
         request()
         _requests().remove(request)
     messages.begin(problems)
@@ -172,12 +174,12 @@ def compression() -> float:
     return PARAMETERS["compression"].in_si
 
 
-def enter(key: str, text: str) -> None:
+def request_number(key: str, text: str) -> None:
     """Request the text in the box of a parameter, in a callback. The next run parses it."""
-    _requests().append(partial(take_exact, key, text))
+    _requests().append(partial(set_number, key, text))
 
 
-def take_ratio(ratio: float, digits: int = 17) -> None:
+def request_ratio(ratio: float, digits: int = 17) -> None:
     """Set m′ = εm in the next run. If m′ would leave its range, change m and show a message.
 
     Parameters
@@ -193,7 +195,7 @@ def _set_ratio(ratio: float, digits: int) -> None:
     rollers, others = PARAMETERS["m_prime"], PARAMETERS["m"]
     ratio = min(max(ratio, rollers.least / others.most), rollers.most / others.least)
     m = others.value
-    m_prime = _times(ratio, m, digits)
+    m_prime = _multiply(ratio, m, digits)
     if rollers.least <= m_prime <= rollers.most:
         pending_updates.set_widgets({"m_prime": m_prime})
         return
@@ -202,7 +204,7 @@ def _set_ratio(ratio: float, digits: int) -> None:
     steps = round(bound / ratio / others.step, 6)
     nearest = (math.floor if m_prime > bound else math.ceil)(steps) * others.step
     new_m = others.clamp(round(nearest, 10))
-    pending_updates.set_widgets({"m": new_m, "m_prime": rollers.clamp(_times(ratio, new_m, digits))})
+    pending_updates.set_widgets({"m": new_m, "m_prime": rollers.clamp(_multiply(ratio, new_m, digits))})
     sentences = []
     if new_m != m:
         sentence = SENTENCES["lighter" if m_prime > bound else "heavier"]
@@ -215,67 +217,70 @@ def _set_ratio(ratio: float, digits: int) -> None:
     messages.note("m", " ".join(sentences))
 
 
-def take_machine(machine: Oscillator, metres: float) -> None:
+def request_machine(machine: Oscillator, metres: float) -> None:
     """Set all sliders to a machine and its x₀ [m] in the next run."""
-    _requests().append(partial(pending_updates.set_widgets, _on_sliders(machine, metres)))
+    _requests().append(partial(pending_updates.set_widgets, _slider_values(machine, metres)))
 
 
-def linked() -> bool:
+def has_linked_machine() -> bool:
     """Return whether this run is the first of its session and the link contains a parameter of the machine."""
     return st.session_state[_FIRST] and not set(PARAMETERS).isdisjoint(st.query_params)
 
 
-def holds(machine: Oscillator, metres: float) -> bool:
+def shows_machine(machine: Oscillator, metres: float) -> bool:
     """Return whether the sliders have the values of this machine and this x₀ [m]."""
-    return all(math.isclose(PARAMETERS[key].value, x) for key, x in _on_sliders(machine, metres).items())
+    return all(math.isclose(PARAMETERS[key].value, x) for key, x in _slider_values(machine, metres).items())
 
 
-def _on_sliders(machine: Oscillator, metres: float) -> dict[str, float]:
+def _slider_values(machine: Oscillator, metres: float) -> dict[str, float]:
     """Return the value of each slider for a machine, in the unit of the slider."""
     # Ten digits avoid 8.000000000000002 cm instead of 8 cm. Values in SI units keep all of their digits.
-    return {
-        key: value if PARAMETERS[key].scale == 1 else round(value / PARAMETERS[key].scale, 10)
-        for key, value in {**{name: getattr(machine, name) for name in MACHINE}, "compression": metres}.items()
-    }
+    in_si = {name: getattr(machine, name) for name in MACHINE}
+    in_si["compression"] = metres
+    values = {}
+    for name, value in in_si.items():
+        scale = PARAMETERS[name].scale
+        values[name] = value if scale == 1 else round(value / scale, 10)
+    return values
 
 
 def _reset() -> None:
     """Reset all parameters to the values in the link, or if they have these, to the defaults. Show which."""
     defaults = {parameter.name: parameter.default for parameter in PARAMETERS.values()}
     linked = st.session_state.get(_LINKED, defaults)
-    there = all(PARAMETERS[key].value == value for key, value in linked.items())
-    pending_updates.set_widgets(defaults if there else linked)
+    has_linked_values = all(PARAMETERS[key].value == value for key, value in linked.items())
+    pending_updates.set_widgets(defaults if has_linked_values else linked)
     if linked == defaults:
         return
-    if there:
+    if has_linked_values:
         messages.note("m", _("All values are now the app’s own. Press Reset again for the values of your link."))
     else:
         messages.note("m", _("All values are now those of your link. Press Reset again for the app’s own values."))
 
 
-def _take_preset() -> None:
+def _request_preset() -> None:
     """Request the selected preset, and clear the selection, which a moved slider would invalidate."""
     pending_updates.reassert()
     preset = st.session_state[_PRESET]
     if preset in _RATIOS:
-        take_ratio(_RATIOS[preset])
+        request_ratio(_RATIOS[preset])
     elif preset:
         _requests().append(partial(_reset))
     pending_updates.set_widgets({_PRESET: None})
 
 
-def slider(key: str) -> None:
+def draw_slider(key: str) -> None:
     """Draw the slider of a parameter with its box, in one place in each run, before `end`."""
-    components.exact(key, widgets.box_settings(PARAMETERS[key]), partial(enter, key))
+    components.exact(key, widgets.box_settings(PARAMETERS[key]), partial(request_number, key))
     messages.show_note(key)
-    widgets.slider(PARAMETERS[key], label_visibility="collapsed", on_change=_moved)
+    widgets.slider(PARAMETERS[key], label_visibility="collapsed", on_change=_rerun_fragments)
 
 
-def take_exact(key: str, text: str) -> None:
+def set_number(key: str, text: str) -> None:
     """Set a parameter to the number in its box. For an invalid text, show the valid range and keep the old value."""
     parameter = PARAMETERS[key]
     # The count makes the box show its value again, changed or not.
-    st.session_state[_JUDGED] = st.session_state.get(_JUDGED, 0) + 1
+    st.session_state[_PROCESSED] = st.session_state.get(_PROCESSED, 0) + 1
     number, readings = read_number(text), two_readings(text)
     if number is not None and readings:
         decimal, whole = readings
@@ -292,7 +297,7 @@ def take_exact(key: str, text: str) -> None:
     messages.note(parameter.name, sentence, warning=True)
 
 
-def _times(ratio: float, m: float, digits: int) -> float:
+def _multiply(ratio: float, m: float, digits: int) -> float:
     """Return εm to this number of digits. A short ratio gives a product without the noise of binary fractions."""
     short = ratio == float(f"{ratio:.6g}")
     return float(f"{ratio * m:.{min(digits, 12) if short else digits}g}")

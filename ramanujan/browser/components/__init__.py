@@ -24,7 +24,7 @@ The topics of the bus, where NAME is the name of a stage, CLOCK of a clock, and 
                       and `own`, whether this page is the desk
     enter/KEY         a text to enter into a slider's box
     goal/KEY          a value to which a slider's thumb snaps, published by the story while it does not run
-    exact/KEY         {value, text, judged}: the value, text and number of processed inputs of a slider's box
+    exact/KEY         {value, text, processed}: the value, text and number of processed inputs of a slider's box
     announce          {sentence, urgent}: a sentence for the page's live region
     turned            the new stop of a lesson
     slides            {has(by)}: has(by) returns whether the projector has a slide `by` slides after the present one

@@ -10,7 +10,7 @@ import { dom } from "./streamlit_dom.js";
 
 export default function (component, signal) {
   const { data: { key }, parentElement: root } = component, box = root.querySelector("input");
-  let received = {}; // the last data from the server: value, text, and `judged`, the number of processed inputs
+  let received = {}; // the last data from the server: value, text, and `processed`, the number of processed inputs
   box.id = root.querySelector("label").htmlFor = "box";
 
   const send = (text) => component.setTriggerValue("typed", text);

@@ -73,7 +73,7 @@ def show() -> None:
         draw_section()
     components.return_focus("route", "show", "values", "masses")
     if not setting.numbers:
-        sidebar.follow("beside", "results", "modes", "asked_machine")
+        sidebar.rerun_only("beside", "results", "modes", "asked_machine")
 
 
 # ---- display options
@@ -163,7 +163,7 @@ def turn_pages(setting: Setting) -> None:
         current_step = steps[min(address.current(STEP), len(steps)) - 1]
         if current_step.key == "root":
             machine = replace(machine, m_prime=UNIT_MASS_RATIO * machine.m)
-    stages.publish(stage.payload(machine, sidebar.compression()), key="beside", more=sidebar.followed())
+    stages.publish(stage.payload(machine, sidebar.compression()), key="beside", more=sidebar.collect_box_messages())
 
 
 # ---- the steps

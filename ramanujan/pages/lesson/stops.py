@@ -39,7 +39,7 @@ _SLIDERS = "lesson_sliders"
 def load_machine(stop: Stop, running: bool) -> None:
     """Set the sliders to the machine of a stop in the next run."""
     st.session_state[_LOADED] = (stop.id, running)
-    sidebar.take_machine(machine_of(stop, running), stop.compression)
+    sidebar.request_machine(machine_of(stop, running), stop.compression)
 
 
 def load_new_machine(stop: Stop, running: bool) -> None:
@@ -47,7 +47,7 @@ def load_new_machine(stop: Stop, running: bool) -> None:
     if st.session_state.get(_LOADED) == (stop.id, running):
         return
     st.session_state[_LOADED] = (stop.id, running)
-    if not (sidebar.linked() or sidebar.holds(machine_of(stop, running), stop.compression)):
+    if not (sidebar.has_linked_machine() or sidebar.shows_machine(machine_of(stop, running), stop.compression)):
         load_machine(stop, running)
         messages.run_again()
 
@@ -326,7 +326,7 @@ def _caption(stop: Stop, running: bool) -> str:
     if stop.runs[0].label:
         return _("The sliders do not change what is shown here.")
     machine = machine_of(stop, running)
-    if not sidebar.holds(machine, stop.compression):
+    if not sidebar.shows_machine(machine, stop.compression):
         # TRANSLATORS: {machine} is a list such as: m = 1 kg, m′ = 2 kg, k = 10 N/m.
         return _("You have changed the machine. The question is about {machine}.").format(
             machine=_machine_text(machine)

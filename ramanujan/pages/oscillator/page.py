@@ -35,7 +35,7 @@ def draw_header() -> bool:
         return False
     draw_composition()
     if not first_run.only_machine():
-        sidebar.more(sidebar.PRESETS, ("compression", "radius"))
+        sidebar.draw_more(sidebar.PRESETS, ("compression", "radius"))
         sidebar.end()
     return True
 
@@ -55,7 +55,7 @@ def show() -> None:
         with slide("curve", _("The curve")):
             draw_curve()
     if display_mode.hides("steps"):
-        sidebar.follow(*dependent_fragments())
+        sidebar.rerun_only(*dependent_fragments())
     else:
         draw_derivation()
 
@@ -74,7 +74,7 @@ def shows_numbers() -> bool:
 def publish_machine() -> None:
     """Publish the machine to the stage and the boxes of the sliders."""
     machine = stage.payload(sidebar.oscillator(), sidebar.compression())
-    stages.publish(machine, name="oscillator", more=sidebar.followed())
+    stages.publish(machine, name="oscillator", more=sidebar.collect_box_messages())
 
 
 def draw_derivation() -> None:
@@ -114,7 +114,7 @@ def draw_opening() -> None:
     if has_clocks:
         draw_story_button()
     for key in ("m_prime", "m", "k"):
-        sidebar.slider(key)
+        sidebar.draw_slider(key)
 
 
 def draw_story_button() -> None:
@@ -180,9 +180,9 @@ def set_clicked_ratio(point: dict[str, float]) -> None:
     curve = cache.curve()
     for mark in (curve.equal, curve.unit):
         if math.isclose(point["x"], mark.ratio, rel_tol=0.02):
-            sidebar.take_ratio(mark.ratio)
+            sidebar.request_ratio(mark.ratio)
             return
-    sidebar.take_ratio(point["x"], 3)
+    sidebar.request_ratio(point["x"], 3)
 
 
 @st.fragment(key="steps")
@@ -208,7 +208,7 @@ def draw_six_steps() -> None:
     fragments = dependent_fragments()
     if shows_steps:
         fragments.append("steps")
-    sidebar.follow(*fragments)
+    sidebar.rerun_only(*fragments)
 
 
 def draw_step(n: int, step: cache.SummaryStep, numbers: Numbers | None) -> None:

@@ -21,7 +21,7 @@ WORDS = {"hoop": _("hoop"), "shell": _("shell"), "cylinder": _("cylinder"), "sph
 URL_PARAMETERS = tuple(address.Choice(place, WORDS, body) for place, body in PAPER_BODIES.items())
 STAGE = "stage_bodies"
 """Key of the stage."""
-FOLLOWERS = ("bodies_machine", "bodies_numbers")
+DEPENDENT_FRAGMENTS = ("bodies_machine", "bodies_numbers")
 """Keys of the fragments that depend on the machine of the sidebar."""
 
 
@@ -69,7 +69,7 @@ def publish_machine(chosen: list[str]) -> None:
             sidebar.oscillator(), sidebar.compression(), shape_factors={"hoop": left, "cylinder": right, "top": top}
         ),
         key=STAGE,
-        more=sidebar.followed(),
+        more=sidebar.collect_box_messages(),
     )
 
 
@@ -85,7 +85,7 @@ def describe_machine(story: cache.Story) -> None:
     with st.expander(_("The discriminant of the number field")):
         st.markdown(_describe_field(machine))
     with st.container(horizontal=True):
-        st.button(_("Set this mass ratio"), key="own_ratio", on_click=sidebar.take_ratio, args=(story.ratio,))
+        st.button(_("Set this mass ratio"), key="own_ratio", on_click=sidebar.request_ratio, args=(story.ratio,))
         st.button(
             _("Back to the paper’s bodies"), key="paper_bodies", on_click=st.session_state.update, args=(PAPER_BODIES,)
         )

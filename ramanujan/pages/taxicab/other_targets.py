@@ -19,7 +19,7 @@ P, Q = (address.Count(part, cache.LARGEST_PART) for part in ("p", "q"))
 URL_PARAMETERS = (P, Q)
 _LAST = "last_target"
 """Session state: p and q of the last target that a machine reaches."""
-FOLLOWERS = ("unit_curve",)
+DEPENDENT_FRAGMENTS = ("unit_curve",)
 """Keys of the fragments that depend on the machine of the sidebar."""
 
 

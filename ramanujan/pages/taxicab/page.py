@@ -28,7 +28,7 @@ def show() -> None:
         draw_both_stacks()
     other_bodies.draw_other_bodies()
     other_targets.draw_open_question()
-    sidebar.follow(*other_bodies.FOLLOWERS, *other_targets.FOLLOWERS)
+    sidebar.rerun_only(*other_bodies.DEPENDENT_FRAGMENTS, *other_targets.DEPENDENT_FRAGMENTS)
 
 
 def draw_condition() -> None:
