@@ -14,7 +14,7 @@ import sympy as sp
 from hypothesis import example, given, settings
 from hypothesis import strategies as st
 
-from ramanujan.answers import QUESTIONS, judge, machines, mistakes, question, questions
+from ramanujan.answers import QUESTIONS, find_question, judge, machines, mistakes, questions
 from ramanujan.answers.grammar import MAX_WEIGHT, parse, typeset
 from ramanujan.answers.spelling import TEXTBOOK, UnreadableError
 from ramanujan.answers.values import agree, unit
@@ -244,7 +244,7 @@ def test_a_right_answer_to_one_question_is_wrong_for_the_others(name):
 
 @pytest.mark.parametrize("name", QUESTIONS)
 def test_the_example_has_the_right_unit_and_is_not_the_answer(name):
-    posed = question(name)
+    posed = find_question(name)
     assert judge(name, posed.example).kind == "wrong"
     example, right = (zero_on_the_right(text) for text in (posed.example, RIGHT[name][0]))
     assert unit(parse(example)) == unit(parse(right))
@@ -264,7 +264,7 @@ def test_non_text_and_unused_letters_are_unreadable(text):
 
 @pytest.mark.parametrize("name", QUESTIONS)
 def test_question_accepts_only_its_listed_letters_and_names_them(name):
-    listed = question(name).accepted_names
+    listed = find_question(name).accepted_names
     for letter in (*listed, *TEXTBOOK):
         assert (judge(name, letter).kind == "unreadable") == (letter not in listed)
     assert all(each in judge(name, "y").message for each in ("“y” is not known", *listed))
@@ -273,21 +273,21 @@ def test_question_accepts_only_its_listed_letters_and_names_them(name):
 def test_one_entry_adds_a_question(monkeypatch):
     """The README states this: mistakes and hints about bodies are optional."""
     new = questions.Question(
-        "top_momentum",
-        "the momentum of Φ",
-        lambda: eliminate(machines.right_machine()).momenta[Phi],
-        lambda: "What is the momentum $p_\\Phi$?",
-        "2 m X' - m' R phi'",
-        questions.POLYNOMIAL,
-        ("momenta",),
-        "Which terms of the Lagrangian contain Φ′?",
+        name="top_momentum",
+        quantity="the momentum of Φ",
+        answer=lambda: eliminate(machines.right_machine()).momenta[Phi],
+        prompt=lambda: "What is the momentum $p_\\Phi$?",
+        example="2 m X' - m' R phi'",
+        kind=questions.POLYNOMIAL,
+        steps=("momenta",),
+        next_question="Which terms of the Lagrangian contain Φ′?",
     )
     monkeypatch.setitem(questions._BY_NAME, "top_momentum", new)
     monkeypatch.setattr(sys.modules["ramanujan.answers.judge"], "QUESTIONS", (*QUESTIONS, "top_momentum"))
     assert judge("top_momentum", "(3/2)mR²Φ' - mRX'").kind == "right"
     assert "leave out R" in judge("top_momentum", "(3/2)mΦ' - mX'").message
     assert "twice the right one" in judge("top_momentum", "3mR²Φ' - 2mRX'").message
-    assert questions.shown_step("top_momentum")[-1].rhs == new.right
+    assert questions.find_answer_equations("top_momentum")[-1].rhs == new.right
 
 
 # Near misses, and other machines
@@ -320,7 +320,7 @@ def test_altered_machines_match_the_route_of_the_page(altered):
         (OMEGA, yours.natural_frequency_squared),
         ("block_coupling", yours.X_from_phi / phi_ddot),
     ):
-        assert agree(*map(question(name).evaluate, (machines.solve(name, altered.machine), formula)))
+        assert agree(*map(find_question(name).evaluate, (machines.solve(name, altered.machine), formula)))
 
 
 HINTED = {
@@ -404,7 +404,7 @@ HINTED = {
 def gets_its_hint(id: str) -> bool:
     """Return whether the example of a mistake gets its hint, in the words of `HINTED`."""
     examples = [each.example for each in machines.MISTAKES if each.id == id] or [
-        (name, slip.example) for name in QUESTIONS for slip in question(name).all_slips() if slip.id == id
+        (name, slip.example) for name in QUESTIONS for slip in find_question(name).list_slips() if slip.id == id
     ]
     return any(HINTED[id] in judge(name, text).message for name, text in examples)
 
@@ -418,10 +418,10 @@ def test_negative_control_false_hints_fail(monkeypatch):
     """Negative control: a result that does not fit the hint, and a hint in other words."""
     with monkeypatch.context() as patched:
         false = mistakes.Slip("plain_mass", mistakes.HINTS["plain_mass"], "k/m", (k / (3 * m),))
-        patched.setitem(questions._BY_NAME, OMEGA, replace(question(OMEGA), mistakes=lambda _right: [false]))
+        patched.setitem(questions._BY_NAME, OMEGA, replace(find_question(OMEGA), find_slips=lambda _right: [false]))
         assert not gets_its_hint("plain_mass")
     monkeypatch.setitem(mistakes.HINTS, "plain_mass", "This is Ω² of a mass 2m on the same spring. Which bodies move?")
-    monkeypatch.setitem(questions._BY_NAME, OMEGA, replace(question(OMEGA)))
+    monkeypatch.setitem(questions._BY_NAME, OMEGA, replace(find_question(OMEGA)))
     assert not gets_its_hint("plain_mass")
 
 
@@ -435,13 +435,13 @@ def test_mistakes_about_bodies_change_the_machine_and_end_in_a_question():
 @pytest.mark.parametrize("name", QUESTIONS)
 def test_each_result_has_one_mistake(name):
     """Slips have different results. If two confusions of bodies have the same result, the judge names neither."""
-    it = question(name)
-    for known in (it.slips, it.altered):
+    it = find_question(name)
+    for known in (it.values_of_slips, it.values_of_wrong_bodies):
         for (one, first), (other, second) in combinations(known, 2):
             assert not agree(first, second), (one, other)
     results = [(each.mistake, it.of_machine(each.machine)) for each in machines.altered_machines()]
     values_of_mistakes = [(mistake, it.evaluate(result)) for mistake, result in results if result not in (None, 0)]
-    for hint, values in it.altered:
+    for hint, values in it.values_of_wrong_bodies:
         kinds = {mistake.id for mistake, others in values_of_mistakes if agree(values, others)}
         assert len(kinds) == 1 or "other moments of inertia" in hint, (hint, kinds)
 

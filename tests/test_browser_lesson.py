@@ -10,7 +10,7 @@ from playwright.sync_api import expect
 from ramanujan import lesson
 from tests.browser import next_frame, script, settle
 
-MACHINE = lesson.stop("two-clocks").machine
+MACHINE = lesson.find_stop("two-clocks").machine
 STAGE = "[class*='st-key-stage_'] [data-testid=stBidiComponentIsolated]"
 TEXTS = script("texts")
 PLACE = f"document.querySelector(\"{STAGE}\").shadowRoot.querySelector('.body.slab').getAttribute('transform')"

@@ -218,7 +218,7 @@ ANSWERED = "lesson?stop={0}&chosen={0}.{1}"
 @pytest.mark.parametrize("name", ["zero-modes", "1729"])
 def test_a_stop_fits_on_a_small_phone(visit, name):
     """While a question is open, its options are in view; an answered stop is at most two screens long."""
-    stop, sizes = lesson.stop(name), ((390, 664), (844, 390))
+    stop, sizes = lesson.find_stop(name), ((390, 664), (844, 390))
     page = visit(OPEN.format(name), width=390, height=664, has_touch=True, is_mobile=True)
     for width, height in sizes:
         page.set_viewport_size({"width": width, "height": height})

@@ -46,7 +46,13 @@ def test_a_new_route_needs_one_file_and_one_line(monkeypatch):
 
     def build(_bodies: Machine) -> Route:
         step = Step("only", "Ask the others", "Another route knows.", (equation(Omega_squared, k / m),))
-        return Route("trivial", "Trivial", (step,), k / m, {"only": "Omega_squared = k / m"})
+        return Route(
+            name="trivial",
+            title="Trivial",
+            steps=(step,),
+            natural_frequency_squared=k / m,
+            cells={"only": "Omega_squared = k / m"},
+        )
 
     monkeypatch.setitem(ROUTES.data, "trivial", build)
     route, numbers = ROUTES["trivial"], Numbers(2.0, 1.0, 3.0)

@@ -6,7 +6,7 @@ from urllib.parse import parse_qs, urlsplit
 import pytest
 
 from ramanujan import lesson
-from ramanujan.answers import QUESTIONS, judge, question, shown_step
+from ramanujan.answers import QUESTIONS, find_answer_equations, find_question, judge
 from ramanujan.derivation.printers import latex
 from ramanujan.shell import worksheet_keys
 from ramanujan.shell.sections import questions
@@ -41,13 +41,13 @@ def hint(app, name: str):
 
 @pytest.mark.parametrize("name", QUESTIONS)
 def test_hints_lead_to_the_step_and_only_the_step_has_the_answer(name):
-    hints = question(name).hints
+    hints = find_question(name).hints
     assert len(hints) >= 2
     for text in hints:
         for formula in re.findall(r"\$([^$]+)\$", text):
             sides = {formula, *re.split("=|,", formula)}
             assert not [side for side in sides if judge(name, side).kind in ("right", "unsimplified")], text
-    stated = [latex(side) for each in shown_step(name) for side in (each, *each.args)]
+    stated = [latex(side) for each in find_answer_equations(name) for side in (each, *each.args)]
     assert any(judge(name, text).kind in ("right", "unsimplified") for text in stated)
 
 
@@ -61,9 +61,9 @@ def test_an_exercise_keeps_its_order_shows_no_key_and_ends_in_a_sheet(app):
     answer(app, "unit_quadratic", "18 eps^2 = 24")
     assert app.warning
     go(app, 2)
-    assert app.title[0].value == lesson.task("two-cubes").heading
+    assert app.title[0].value == lesson.find_task("two-cubes").heading
     go(app, 3)
-    for _ in question("potential_energy").hints:
+    for _ in find_question("potential_energy").hints:
         hint(app, "potential_energy")
     assert "hint_potential_energy" not in [each.key for each in app.button]
     assert not app.latex
@@ -72,14 +72,14 @@ def test_an_exercise_keeps_its_order_shows_no_key_and_ends_in_a_sheet(app):
     assert "Save this worksheet" in [each.proto.label for each in app.get("download_button")]
     (sheet,) = (each.value for each in app.markdown if each.value.startswith("# "))
     headings = re.findall(r"^\d+\. \*\*(.*?)\.\*\*", sheet, re.MULTILINE)
-    assert headings == ["The quadratic equation", lesson.task("two-cubes").heading, "The potential energy"]
+    assert headings == ["The quadratic equation", lesson.find_task("two-cubes").heading, "The potential energy"]
     first, second, third = re.split(r"^\d+\. ", sheet, flags=re.MULTILINE)[1:]
     assert "`` 18 eps^2 + eps = 24 ``" in first
     assert re.search(r"Right since \d{4}-\d\d-\d\d \d\d:\d\d \w+", first)
     assert "Not done yet." in second
     assert "Not right yet." in third
     assert "`` k <b>|$R$ ``" in third
-    assert f"Hints used: {len(question('potential_energy').hints)}" in third
+    assert f"Hints used: {len(find_question('potential_energy').hints)}" in third
     # No message to the page reveals a key.
     for item in range(1, 5):
         go(app, item)
@@ -91,7 +91,7 @@ def test_an_exercise_keeps_its_order_shows_no_key_and_ends_in_a_sheet(app):
 def test_the_lecturers_link_contains_the_key(app):
     query = {"exercise": "block_momentum", "exercise_name": name_of(7)}
     opened(app, **query, exercise_key=key_of(7))
-    assert latex(shown_step("block_momentum")[0].rhs) in "".join(each.value for each in app.latex)
+    assert latex(find_answer_equations("block_momentum")[0].rhs) in "".join(each.value for each in app.latex)
 
 
 @pytest.mark.parametrize("guess", [None, "on", key_of(8), key_of(7)[1:]])
@@ -144,7 +144,7 @@ def test_a_session_lists_the_solved_questions(app):
     sound(app.run())
     # The route above contains the same step.
     before = len(app.latex)
-    for _ in question(name).hints:
+    for _ in find_question(name).hints:
         hint(app, name)
         assert len(app.latex) == before
     assert app.button(key=f"hint_{name}").label == "Show me this step"

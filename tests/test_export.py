@@ -19,13 +19,13 @@ from ramanujan.derivation.export import prose_to_latex, to_beamer, to_latex, to_
 from ramanujan.derivation.model import k, m, m_prime
 from ramanujan.derivation.nomenclature import nomenclature
 from ramanujan.derivation.numbers import Numbers
-from ramanujan.lesson.picture import machine_tikz
+from ramanujan.lesson.picture import draw_tikz
 from ramanujan.pages.derivation import cache as page
 from ramanujan.shell import theme
 
 NUMBERS = Numbers(2.0, 2 * UNIT_MASS_RATIO, 7 / 3)
 ENGINE = shutil.which("pdflatex")
-PICTURE = machine_tikz(Oscillator(), 0.08, theme.paper_colors())
+PICTURE = draw_tikz(Oscillator(), 0.08, theme.paper_colors())
 
 
 def values_if(numbers: bool):

@@ -10,7 +10,7 @@ import pytest
 from plotly.basedatatypes import BaseFigure
 from streamlit.testing.v1 import AppTest
 
-from ramanujan.figures import drawn
+from ramanujan.figures import encode_figure
 from ramanujan.shell.navigation import PAGES
 from tests.browser import ROOT
 
@@ -21,11 +21,11 @@ DRAWN = {path.stem for path in (ROOT / "ramanujan" / "figures").glob("*.py")} & 
 def test_a_figure_equals_plotlys_own_json() -> None:
     values = np.linspace(0, 1, 5, dtype=np.float32)
     trace, layout = {"type": "scatter", "x": values, "y": [1, 2, 3, 4, 5], "name": "line"}, {"height": 300}
-    sent = plotly.io.to_json(drawn([trace], layout).to_dict(), validate=False)
+    sent = plotly.io.to_json(encode_figure([trace], layout).to_dict(), validate=False)
     checked = go.Figure([trace], layout | {"template": {}})
     assert json.loads(sent) == {**json.loads(checked.to_json()), "layout": layout}
     with pytest.raises(ValueError, match="colour"):
-        go.Figure(drawn([{"type": "scatter", "colour": "red"}], {}).to_dict())
+        go.Figure(encode_figure([{"type": "scatter", "colour": "red"}], {}).to_dict())
 
 
 def letters_high(key: str) -> int:

@@ -122,8 +122,8 @@ def expected() -> dict[str, str]:
     middle = kinetic(motion(turn / 2))
     needed = friction()
     exact = root()
-    by_hand = next(o for o, s in lesson.stop("by-hand").options.items() if brackets(s)[0] < exact < brackets(s)[1])
-    masses = {option: fractions(label) for option, label in lesson.stop("exactly").options.items()}
+    by_hand = next(o for o, s in lesson.find_stop("by-hand").options.items() if brackets(s)[0] < exact < brackets(s)[1])
+    masses = {option: fractions(label) for option, label in lesson.find_stop("exactly").options.items()}
     assert not any(abs(float(mass) - float(exact)) < 1e-6 for mass in itertools.chain(*masses.values()))
     [exactly] = [option for option, named in masses.items() if not named]
     cubes = [(x, y) for x in range(1, 13) for y in range(x, 13) if x**3 + y**3 == 1729]
@@ -158,7 +158,7 @@ def expected() -> dict[str, str]:
 
 @pytest.mark.parametrize("name", [stop.id for stop in lesson.STOPS])
 def test_answer_agrees_with_an_independent_computation(name):
-    assert lesson.stop(name).answer() == expected()[name]
+    assert lesson.find_stop(name).answer() == expected()[name]
 
 
 def test_a_stop_is_complete_and_its_right_option_has_no_fixed_place():
@@ -199,12 +199,12 @@ def test_questions_and_hints_do_not_contain_the_explanation(entry):
 )
 def test_the_answer_depends_on_the_machine(monkeypatch, module, name, machine, stop, answer):
     monkeypatch.setattr(module, name, machine)
-    assert lesson.stop(stop).answer() == answer
+    assert lesson.find_stop(stop).answer() == answer
 
 
 def test_the_explanations_quote_the_right_numbers():
     def said(name):
-        return lesson.stop(name).explanation()
+        return lesson.find_stop(name).explanation()
 
     assert f"{lead():.2f} of a full turn" in said("two-clocks")
     assert f"{1 / normalized():.3f}" in said("two-clocks")
@@ -223,7 +223,7 @@ def test_the_explanations_quote_the_right_numbers():
         huge = mpmath.mpf(8) * 6 * mpmath.mpf(10) ** 200 / (18 * mpmath.mpf(10) ** 400)
     assert mpmath.nstr(huge * mpmath.mpf(10) ** 200, 3) in said("huge-ratio")
     # Its machine has heavy rollers, shows its masses, and does not move.
-    [run] = lesson.stop("huge-ratio").runs
+    [run] = lesson.find_stop("huge-ratio").runs
     assert "10²⁰⁰ kg" in run.label
     assert run.machine.period > 1e40
 
@@ -248,17 +248,17 @@ def test_every_wrong_option_has_a_reply_that_ends_in_a_question():
 
 def test_the_replies_are_computed_for_this_machine():
     def reply_to(stop, option):
-        return lesson.stop(stop).reply(option).replace("\u202f", " ")
+        return lesson.find_stop(stop).reply(option).replace("\u202f", " ")
 
     assert f"{10 * (1 - 5**-0.5):.1f} turns behind" in reply_to("two-clocks", "far_behind")
     # The equation with the candidate inserted, and the two frequencies.
     for option in ("eighths", "decimal"):
-        [x] = fractions(lesson.stop("exactly").options[option])
+        [x] = fractions(lesson.find_stop("exactly").options[option])
         assert f"{float(18 * x**2 + x - 24):.3g}".replace("-", "−") in reply_to("exactly", option)
         periods = 1 / abs(math.sqrt(normalized(m_prime=float(x))) - 1)
         said = re.search(r"After (\d+(?: \d+)?) periods", reply_to("exactly", option))[1]
         assert float(said.replace(" ", "")) == pytest.approx(periods, rel=3e-3)
-    low, high = fractions(lesson.stop("exactly").options["several"])
+    low, high = fractions(lesson.find_stop("exactly").options["several"])
     assert f"{normalized(m_prime=float(low)):.5g}" in reply_to("exactly", "several")
     assert f"{normalized(m_prime=float(high)):.5g}" in reply_to("exactly", "several")
     # Below this ratio, the top cylinder slips first. The displaced slab loads its two rollers by (1 ± tilt)/2 of its
@@ -272,7 +272,7 @@ def test_the_replies_are_computed_for_this_machine():
     moved = history()[0](history()[1])[0]
     assert f"{100 * abs(moved):.2f} cm" in reply_to("rollers", "all")
     load = 0.5 * (1 - tilt)
-    assert f"{100 * load:.0f}\u202f%" in lesson.stop("contact").explanation()
+    assert f"{100 * load:.0f}\u202f%" in lesson.find_stop("contact").explanation()
 
 
 def test_the_program_of_the_last_stop_is_the_formula_of_the_question():
@@ -371,7 +371,7 @@ MISSED = {
 
 @pytest.mark.parametrize("name", [task.id for task in lesson.TASKS])
 def test_every_task_can_be_done_and_missed(name):
-    judge = lesson.task(name).judge
+    judge = lesson.find_task(name).judge
     verdict = judge(SOLVED[name])
     assert verdict.done, verdict.sentence
     for missed in MISSED[name]:
@@ -381,13 +381,13 @@ def test_every_task_can_be_done_and_missed(name):
 
 
 def test_a_negligible_share_of_energy_is_called_none():
-    sentence = lesson.task("half-energy").judge(attempt(part=1 / 4)).sentence
+    sentence = lesson.find_task("half-energy").judge(attempt(part=1 / 4)).sentence
     assert sentence.startswith("At that moment the spring holds none of the energy.")
 
 
 def test_verdict_contains_the_distance_from_the_goal():
     def sentence(name, **values):
-        return lesson.task(name).judge(attempt(**values)).sentence
+        return lesson.find_task(name).judge(attempt(**values)).sentence
 
     off = normalized(m_prime=1.2) - 1
     assert off < 0
@@ -414,7 +414,7 @@ def test_every_sentence_states_the_true_direction_of_slab_and_block():
         changes.append(block - slab)
     assert len(set(map(np.sign, changes))) == 1
     texts = [text for task in lesson.TASKS for text in (task.heading, task.text, *task.hints)]
-    texts += [lesson.task("half-way").judge(each).sentence for each in (SOLVED["half-way"], *MISSED["half-way"])]
+    texts += [lesson.find_task("half-way").judge(each).sentence for each in (SOLVED["half-way"], *MISSED["half-way"])]
     said = [
         sign
         for sentence in re.split(r"(?<=[.?!]) ", " ".join(texts))
@@ -430,7 +430,7 @@ def test_the_verdict_states_the_true_displacements():
     start, end = motion(0), motion(turn / 2)
     block = abs(end[0] - start[0])
     slab = abs(2 * R * (end[1] - start[1]) - (end[0] - start[0]))
-    sentence = lesson.task("half-way").judge(attempt()).sentence
+    sentence = lesson.find_task("half-way").judge(attempt()).sentence
     assert f"covers {100 * slab / 0.08:.2f}\u202f% of x₀, the block {100 * block / 0.08:.2f}\u202f%" in sentence
 
 
@@ -447,7 +447,7 @@ def test_the_short_lesson_states_the_equation_before_its_root():
 
 
 def test_no_reply_contains_the_requested_number():
-    stop = lesson.stop("other-body")
+    stop = lesson.find_stop("other-body")
     number = round(float((6 * root(top=0.4)) ** 2))  # ε = √n/6
     assert all(str(number) not in stop.reply(option) for option in stop.options if option != stop.answer())
 
@@ -456,7 +456,7 @@ def test_last_stop_quotes_the_output_of_its_program():
     value = paper_formula(1.0, 1e200, 1.0)
     assert value == 0
     assert math.copysign(1, value) == -1
-    stop = lesson.stop("huge-ratio")
+    stop = lesson.find_stop("huge-ratio")
     assert "−0" in stop.explanation()
     assert computing.program_text() in stop.outcome
     assert "\n// -0\n" in stop.outcome
@@ -469,4 +469,4 @@ def test_the_hints_on_other_bodies_are_true():
     others = [m for m in machines() if m.cubes and m.discriminant != 1729]
     assert all("shell" in m.bodies for m in others)
     assert any(m.bodies[:2] == ("sphere", "sphere") for m in others)
-    assert "denominator 6" in lesson.task("nine-eighths").hints[-1]
+    assert "denominator 6" in lesson.find_task("nine-eighths").hints[-1]

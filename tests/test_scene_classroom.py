@@ -15,7 +15,7 @@ from streamlit.testing.v1 import AppTest
 
 from ramanujan import lesson
 from ramanujan.lesson import classes
-from ramanujan.lesson.class_record import as_csv
+from ramanujan.lesson.class_record import write_csv
 from ramanujan.shell import address as class_address
 from ramanujan.shell import class_session, local_time, server
 from tests.browser import ROOT
@@ -86,7 +86,7 @@ def test_a_class_at_localhost_shows_the_address_in_the_network_or_a_warning(monk
 
 def test_presets_that_reveal_the_answer_are_hidden_until_it_is_shown():
     # The lecturer predicted the motion in an earlier lesson. This class has not.
-    stop = lesson.stop("exactly")
+    stop = lesson.find_stop("exactly")
     lecturer = press(visitor(stop=stop.id, chosen=f"exactly.{stop.answer()}"), "open")
     student = visitor(**{"class": address(lecturer)["class"]})
 
@@ -163,7 +163,7 @@ def test_a_second_vote_is_shown_and_downloaded(lecturer, school):
         assert f"{STOP.options[WRONG]}\\\n{STOP.reply(WRONG)}" in words(page)
         assert len(page.get("progress")) == 2 * len(STOP.options)
 
-    rows = list(csv.DictReader(io.StringIO(as_csv(school.results_for_lecturer(address(lecturer)["lecturer"])))))
+    rows = list(csv.DictReader(io.StringIO(write_csv(school.results_for_lecturer(address(lecturer)["lecturer"])))))
     votes = {RIGHT: ("1", "2", "yes"), WRONG: ("2", "1", "no")}
     assert {row["option"]: (row["first_vote"], row["second_vote"], row["right"]) for row in rows} == {
         option: votes.get(option, ("0", "0", "no")) for option in STOP.options
@@ -470,7 +470,7 @@ def test_a_class_at_an_unknown_stop_continues_the_lesson(lecturer, school):
         assert "this version of the app" not in words(page)
     school.finish(key)
     assert "No right answer was shown" in words(student.run())
-    rows = list(csv.DictReader(io.StringIO(as_csv(school.results_for_lecturer(key)))))
+    rows = list(csv.DictReader(io.StringIO(write_csv(school.results_for_lecturer(key)))))
     assert [(row["option"], row["first_vote"], row["right"]) for row in rows] == [("yes", "0", ""), ("no", "1", "")]
 
 

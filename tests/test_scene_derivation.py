@@ -7,8 +7,7 @@ from fractions import Fraction
 import pytest
 import sympy as sp
 
-from ramanujan.answers import QUESTIONS
-from ramanujan.answers import question as question_of
+from ramanujan.answers import QUESTIONS, find_question
 from ramanujan.derivation import ROUTES, energy
 from ramanujan.derivation.energies import PARTS, terms_by_part
 from ramanujan.derivation.model import machine
@@ -189,7 +188,7 @@ def test_a_typed_result_is_shown_once_it_is_right(page):
         next(button for button in page.button if button.label == "Check").click().run()
         assert formulas(page).count("p_{X} &=") == seen
     toggles = [toggle.key for toggle in sound(page).toggle if toggle.key.startswith("first_")]
-    assert len(toggles) == len({question_of(name).steps[-1] for name in QUESTIONS})
+    assert len(toggles) == len({find_question(name).steps[-1] for name in QUESTIONS})
 
 
 def answer(app, question: str, text: str):
@@ -210,7 +209,7 @@ def test_each_kind_of_verdict_has_its_box(page):
 def test_every_question_can_be_asked(page):
     for question in QUESTIONS:
         choose(page, question=question)
-        assert any(question_of(question).prompt() in text.value for text in page.markdown), question
+        assert any(find_question(question).prompt() in text.value for text in page.markdown), question
 
 
 def test_a_typed_formula_is_displayed_as_parsed(page):

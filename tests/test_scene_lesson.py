@@ -107,7 +107,7 @@ def sentences(text: str) -> set[str]:
 
 @pytest.mark.parametrize("name", IDS if os.environ.get("RAMANUJAN_DEEP") else [i for i in IDS if i not in ALIKE])
 def test_a_stop_reveals_its_motion_and_its_answer_only_on_request(opened, name):
-    stop = lesson.stop(name)
+    stop = lesson.find_stop(name)
     wrong = other_than(stop)
     reply, right = stop.reply(wrong), stop.options[stop.answer()]
     app = opened(stop=name)
@@ -219,7 +219,7 @@ def test_a_link_hides_parts_of_every_stage(opened):
 
 def test_hints_come_one_by_one(opened):
     app = opened(stop="two-clocks")
-    hints = lesson.stop("two-clocks").hints
+    hints = lesson.find_stop("two-clocks").hints
 
     def shown():
         text = "\n".join(each.value for each in app.markdown).replace("\\", "")
@@ -250,7 +250,10 @@ def test_the_short_lesson_has_six_stops_and_an_end_with_the_answers(opened):
     sound(app.button(key="to_tasks").click().run())
     assert app.title[0].value == lesson.TASKS[0].heading
     # A link can also open a stop outside the six.
-    assert opened(part="stops", stops="short", stop="contact").title[0].value == f"4. {lesson.stop('contact').heading}"
+    assert (
+        opened(part="stops", stops="short", stop="contact").title[0].value
+        == f"4. {lesson.find_stop('contact').heading}"
+    )
 
 
 # The parameters of the address
@@ -262,7 +265,7 @@ def test_a_link_preserves_its_machine_and_other_visitors_get_the_machine_of_the_
     sound(app.run())
     assert app.slider(key="m_prime").value == 0.3
     sound(app.switch_page(PAGE).run())
-    assert app.slider(key="m_prime").value == lesson.stop("light-rollers").machine.m_prime
+    assert app.slider(key="m_prime").value == lesson.find_stop("light-rollers").machine.m_prime
 
 
 # Tasks and notes
@@ -271,11 +274,11 @@ def test_a_link_preserves_its_machine_and_other_visitors_get_the_machine_of_the_
 @pytest.mark.parametrize("name", [task.id for task in lesson.TASKS])
 def test_every_task_without_a_text_box_is_judged_when_it_opens(opened, name):
     app = opened(part="tasks", task=name)
-    assert app.title[0].value == lesson.task(name).heading
-    waits = not {"part", "seconds", "formula"}.isdisjoint(lesson.task(name).fields)
+    assert app.title[0].value == lesson.find_task(name).heading
+    waits = not {"part", "seconds", "formula"}.isdisjoint(lesson.find_task(name).fields)
     assert any("Not yet." in text.value for text in app.markdown) != waits
     for machine in fed(app):
-        assert set(lesson.task(name).hides) == set(machine.get("hide", ()))
+        assert set(lesson.find_task(name).hides) == set(machine.get("hide", ()))
 
 
 def done(app) -> bool:

@@ -193,7 +193,7 @@ def test_the_challenge_shows_the_methods_after_a_try_and_judges_as_the_lesson_do
         app.number_input(key="steps").set_value(steps).run()
         app.button(key="run").click().run()
         assert len(app.get("plotly_chart")) == drawn + 1
-        verdict = lesson.task("cheapest").judge(lesson.Attempt(method="rk4", steps=steps))
+        verdict = lesson.find_task("cheapest").judge(lesson.Attempt(method="rk4", steps=steps))
         assert verdict.done == done
         [text] = [text.value for text in app.markdown if escape(verdict.sentence) in text.value]
         assert ("Done." in text, "Not yet." in text) == (done, not done)
@@ -260,10 +260,10 @@ def test_a_number_under_the_pointer_is_written_as_in_a_sentence():
     """Plotly would write 3.2e-7, with a hyphen, in every language."""
     colors, x, errors = theme.colors(), np.array([1.0, 1e7]), np.array([3.2e-7, 0.0125])
     titles = {"titles": ("cost", "error"), "tolerance": 1e-3, "tried": [(1e7, 3.2e-7)]}
-    singled = {"cheapest": (1.0, 3.2e-7, "star", 15, "ink")}
+    marked_runs = {"cheapest": figures.MarkedRun(cost=1.0, error=3.2e-7, symbol="star", size=15, color="ink")}
     drawings = (
         figures.error_growth({"a": (x, errors, errors)}, "a", (x, errors), ["a"], colors),
-        figures.work_precision({("a", "float64"): (x, errors, x)}, singled=singled, colors=colors, **titles),
+        figures.work_precision({("a", "float64"): (x, errors, x)}, marked_runs=marked_runs, colors=colors, **titles),
         figures.phase_errors(x, dict.fromkeys("abc", errors), colors),
     )
     shown = [

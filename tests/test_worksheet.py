@@ -16,8 +16,8 @@ import sympy as sp
 from streamlit.testing.v1 import AppTest
 
 from ramanujan import UNIT_MASS_RATIO, Oscillator, lesson, normalized_frequency_squared
-from ramanujan.lesson.picture import machine_svg
-from ramanujan.lesson.worksheet import questions
+from ramanujan.lesson.picture import draw_svg
+from ramanujan.lesson.worksheet import make_questions
 from ramanujan.shell import address, theme, worksheet_keys
 from tests.browser import ROOT
 from tests.latex import Formula
@@ -37,7 +37,7 @@ def value(text: str, name: str) -> mpmath.mpf:
 
 @pytest.mark.parametrize("machine", MACHINES)
 def test_the_key_and_each_line_of_its_working_give_the_core_s_numbers(machine):
-    *_, ratio, squared, felt, parting, _target = questions(machine, "1")
+    *_, ratio, squared, felt, parting, _target = make_questions(machine, "1")
     rigid = np.linalg.eigvals(np.linalg.solve(machine.mass_matrix, machine.stiffness_matrix)).real.max()
     named = [(ratio, r"\varepsilon", machine.mass_ratio)]
     named += [(ratio, r"\Omega^2m/k", machine.normalized_frequency_squared)]
@@ -60,7 +60,7 @@ def test_the_key_and_each_line_of_its_working_give_the_core_s_numbers(machine):
 
 def test_only_exact_decimals_have_an_equals_sign():
     shown = [
-        re.search(r"m/k=(.*)\$", questions(Oscillator(1.0, m_prime, 10.0), "1")[-5].answer)[1]
+        re.search(r"m/k=(.*)\$", make_questions(Oscillator(1.0, m_prime, 10.0), "1")[-5].answer)[1]
         for m_prime in (5 / 6, 1.0, 62 / 55)
     ]
     assert shown == [r"\frac{9}{8} = 1.125", r"\frac{104}{99} \approx 1.0505", r"\frac{166540}{166541} \approx 0.99999"]
@@ -69,7 +69,7 @@ def test_only_exact_decimals_have_an_equals_sign():
 @pytest.mark.parametrize(("m_prime", "verdict"), [(1.12725682701621, "Faster"), (1.1272568270162111, "Slower")])
 def test_the_key_names_the_faster_machine_near_the_unit_ratio(m_prime, verdict):
     """The float of Ω²m/k may round to 1, although the machine is not in step."""
-    answer = questions(Oscillator(1.0, m_prime, 10.0), "1")[-2].answer
+    answer = make_questions(Oscillator(1.0, m_prime, 10.0), "1")[-2].answer
     assert answer.startswith(verdict)
     gap = float(18 * Fraction(repr(m_prime)) ** 2 + Fraction(repr(m_prime)) - 24)
     # To first order: Ω²m/k − 1 = −(18ε² + ε − 24)/(18ε² + 49ε + 32), and √(1 + δ) − 1 = δ/2.
@@ -107,7 +107,7 @@ def test_no_question_answers_another():
     """Check the sentences and options of all questions on three hundred sheets."""
     stops = {stop.question: stop.id for stop in lesson.STOPS}
     for seed in range(300):
-        posed = questions(Oscillator(), str(seed))
+        posed = make_questions(Oscillator(), str(seed))
         for question in posed:
             tells = TELLS.get(stops.get(question.text))
             others = " ".join(" ".join((each.text, *each.options)) for each in posed if each is not question)
@@ -116,7 +116,7 @@ def test_no_question_answers_another():
 
 def test_the_derivation_leads_less_from_level_to_level_and_its_key_is_whole():
     """Level 1 has one gap in a step, level 2 one in each equation, and level 3 no equations. The answers are equal."""
-    few, many, none = ([q for q in questions(Oscillator(), "1", level) if not q.options] for level in (1, 2, 3))
+    few, many, none = ([q for q in make_questions(Oscillator(), "1", level) if not q.options] for level in (1, 2, 3))
     steps = len(few) - 5
     assert steps >= 5
     for a, b, c in zip(few[:steps], many, none, strict=False):
@@ -146,8 +146,8 @@ def test_the_derivation_leads_less_from_level_to_level_and_its_key_is_whole():
 
 SPACES = """
 from tests.test_worksheet import MACHINES
-from ramanujan.lesson.worksheet import questions
-sheets = [questions(machine, seed, level) for level in (1, 2, 3) for machine in MACHINES for seed in "12"]
+from ramanujan.lesson.worksheet import make_questions
+sheets = [make_questions(machine, seed, level) for level in (1, 2, 3) for machine in MACHINES for seed in "12"]
 print([[question.space for question in sheet] for sheet in sheets])
 """
 
@@ -164,7 +164,7 @@ def test_points_and_lines_are_the_same_in_every_language_and_for_every_machine()
         assert len(set(map(tuple, spaces[level * machines : (level + 1) * machines]))) == 1
     # The calculations with the longest numbers fit their lines.
     for machine in MACHINES:
-        for question in questions(machine, "1")[-5:]:
+        for question in make_questions(machine, "1")[-5:]:
             assert question.space >= sum(map(len, (*question.working, question.answer))) / 90
 
 
@@ -176,7 +176,7 @@ def number_of(latex: str, **values: float) -> mpmath.mpf:
 
 @pytest.mark.parametrize("seed", list("1234"))
 def test_the_ratio_in_the_key_gives_the_requested_frequency(seed):
-    *_, last = questions(Oscillator(), seed)
+    *_, last = make_questions(Oscillator(), seed)
     requested = sp.Rational(re.search(r"m/k=(\d+/\d+)", last.text)[1])
     exact = number_of(re.search(r"so \$\\varepsilon=(\\frac\{.*?\}\{\d+\})", last.answer)[1])
     assert normalized_frequency_squared(float(exact)) == pytest.approx(float(requested), rel=1e-12)
@@ -194,7 +194,7 @@ def test_the_letters_of_the_key_name_the_right_options():
     stops = {stop.question: stop for stop in lesson.STOPS}
     letters = set()
     for seed in range(30):
-        for question in questions(Oscillator(), str(seed)):
+        for question in make_questions(Oscillator(), str(seed)):
             if question.options:
                 stop = stops[question.text]
                 letter = re.match(r"\*\*(\w)\.\*\*", question.answer)[1]
@@ -207,14 +207,14 @@ def test_the_letters_of_the_key_name_the_right_options():
 
 def test_a_seed_determines_the_worksheet():
     machine = Oscillator()
-    assert questions(machine, "a") == questions(machine, "a")
-    assert len({questions(machine, str(seed)) for seed in range(10)}) > 5
+    assert make_questions(machine, "a") == make_questions(machine, "a")
+    assert len({make_questions(machine, str(seed)) for seed in range(10)}) > 5
 
 
 @pytest.mark.parametrize("radius", [0.05, 0.1, 0.2])
 def test_the_picture_is_to_scale(radius):
     """Compare a roller's diameter and the compression of the spring with the machine."""
-    root = ET.fromstring(machine_svg(Oscillator(radius=radius), 0.08, theme.paper_colors()))
+    root = ET.fromstring(draw_svg(Oscillator(radius=radius), 0.08, theme.paper_colors()))
     paths = {each.get("data-body"): each.get("d") for each in root.iter("{http://www.w3.org/2000/svg}path")}
     assert {"block", "hoop", "cylinder", "slab", "top"} <= paths.keys()
     down = [float(curve.split()[-1]) for curve in paths["top"].strip("z").split("c")[1:]]
@@ -244,7 +244,7 @@ def sheet(**query: str) -> AppTest:
 
 def test_questions_show_no_answer_and_the_key_shows_all():
     name = name_of(5)
-    posed = questions(Oscillator(k=10.0), name)
+    posed = make_questions(Oscillator(k=10.0), name)
     blank = "\n".join(each.value for each in sheet(seed=name).markdown)
     app = sheet(seed=name, paper="key", key=key_of(5))
     key = "\n".join(each.value for each in app.markdown)
@@ -299,5 +299,5 @@ def test_a_name_does_not_reveal_its_key():
 
 
 def test_the_key_calculates_with_the_typed_masses():
-    (first, *_others) = [each for each in questions(Oscillator(1.56, 1.08, 7.5), "1") if each.working]
+    (first, *_others) = [each for each in make_questions(Oscillator(1.56, 1.08, 7.5), "1") if each.working]
     assert first.working[0] == r"\varepsilon=\frac{m'}{m}=\frac{1.08}{1.56}=\frac{9}{13}"

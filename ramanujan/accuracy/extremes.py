@@ -182,7 +182,15 @@ def _evaluate_forms(sweep_name: str, dtype: str) -> Iterator[Sweep]:
         with np.errstate(all="ignore"):
             value = form.evaluate(m, m_prime, k)
         error_ulp, relative = ulp_errors(value, truth)
-        yield Sweep(name, dtype, sweep_name, x, value, error_ulp, _judge(value, error_ulp, relative))
+        yield Sweep(
+            form=name,
+            dtype=dtype,
+            sweep_name=sweep_name,
+            x=x,
+            value=value,
+            error_ulp=error_ulp,
+            verdict=_judge(value, error_ulp, relative),
+        )
 
 
 def _generate_samples(sweep_name: str, dtype: str) -> tuple[Values, Values, Values, Values]:

@@ -115,7 +115,7 @@ def _evaluate_solvers(dtype: str) -> Iterator[EigenSweep]:
         oscillating_modes = np.array([oscillating for oscillating, _zero in results], dtype)
         zero_modes = np.array([zero for _oscillating, zero in results], complex)
         errors_ulp, _relative_errors = ulp_errors(oscillating_modes, truth)
-        yield EigenSweep(name, dtype, ratios, errors_ulp, zero_modes)
+        yield EigenSweep(solver=name, dtype=dtype, mass_ratio=ratios, error_ulp=errors_ulp, zero_modes=zero_modes)
 
 
 def _solve_modes(solver: Eigenvalues, machine: Oscillator, dtype: str) -> tuple[float, np.ndarray]:

@@ -83,7 +83,14 @@ def error_history(method: str, steps_per_period: int, periods: int, dtype: str =
         exact_phase = 2 * np.pi * (np.arange(s.size) % n) / n
         phase_error = np.unwrap(np.angle(s * np.exp(-1j * exact_phase)))
         energy_error = s.real**2 + s.imag**2 - 1
-    return History(method, dtype, s.real, phase_error, energy_error, int(count_evaluations(method, n * periods)))
+    return History(
+        method=method,
+        dtype=dtype,
+        q=s.real,
+        phase_error=phase_error,
+        energy_error=energy_error,
+        evaluations=int(count_evaluations(method, n * periods)),
+    )
 
 
 def run_in_blocks(

@@ -126,7 +126,15 @@ def work_precision(
     # An overflowed run is not within any tolerance. Its end is set to 0, so that `trajectory` can continue the others.
     has_overflowed = ~np.isfinite(ends).all(axis=(0, 1))
     error[has_overflowed], ends[..., has_overflowed] = np.inf, 0
-    return WorkPrecision(method, dtype, periods, steps, error, count_evaluations(method, steps * periods), tuple(ends))
+    return WorkPrecision(
+        method=method,
+        dtype=dtype,
+        periods=periods,
+        steps_per_period=steps,
+        error=error,
+        evaluations=count_evaluations(method, steps * periods),
+        ends=tuple(ends),
+    )
 
 
 def _enclose_time_steps(steps: np.ndarray, dtype: str) -> np.ndarray:

@@ -6,4 +6,4 @@
 """
 
 from ramanujan.answers.judge import Verdict, judge
-from ramanujan.answers.questions import QUESTIONS, Question, question, shown_step
+from ramanujan.answers.questions import QUESTIONS, Question, find_answer_equations, find_question

@@ -10,8 +10,7 @@ import sympy as sp
 
 from ramanujan.answers import terms
 from ramanujan.answers.formulas import leaves
-from ramanujan.answers.questions import EQUATION, NUMBER, POLYNOMIAL, Question
-from ramanujan.answers.questions import question as question_named
+from ramanujan.answers.questions import EQUATION, NUMBER, POLYNOMIAL, Question, find_question
 from ramanujan.answers.spelling import MOTION, SYMBOLS
 from ramanujan.answers.terms import Comparison, TermDifference
 from ramanujan.answers.values import (
@@ -208,7 +207,7 @@ def _test_mass_ratio(typed: sp.Expr, ratio: Number) -> Iterator[str]:
         yield _("A ratio of two masses is positive.")
         return
     values = point(m=1, k=1, **{"m'": ratio})
-    frequency = evaluate(question_named("natural_frequency_squared").right, values)
+    frequency = evaluate(find_question("natural_frequency_squared").right, values)
     shown, difference = float(ratio), float(abs(frequency - 1))
     if difference < 1e-5:
         close = _("With ε = {ratio}, Ω² and k/m differ by {difference} k/m, not by zero.")

@@ -8,8 +8,7 @@ from ramanujan.answers import terms, values
 from ramanujan.answers.differences import Difference, difference_between
 from ramanujan.answers.formulas import leaves, length, replace_letters
 from ramanujan.answers.grammar import parse, parse_equation
-from ramanujan.answers.questions import EQUATION, QUESTIONS, Question
-from ramanujan.answers.questions import question as question_named
+from ramanujan.answers.questions import EQUATION, QUESTIONS, Question, find_question
 from ramanujan.answers.spelling import SYMBOLS, TEXTBOOK, UnknownNameError, UnreadableError
 from ramanujan.translation import _, ngettext
 
@@ -42,7 +41,7 @@ def judge(question: str, text: str) -> Verdict:
     """
     if not isinstance(question, str) or question not in QUESTIONS:
         return Verdict("unreadable", _("There is no question of that name."))
-    return _judge_formula(question_named(question), text)
+    return _judge_formula(find_question(question), text)
 
 
 def _judge_formula(question: Question, text: str) -> Verdict:
@@ -137,7 +136,7 @@ def _explain(question: Question, typed: sp.Expr, given: values.Values) -> list[s
         return [_("Both sides of your equation are equal."), question.next_question]
     if is_zero:
         return [_("Your answer is zero."), question.next_question]
-    hint = _first_hint(question.slips, given) or _explain_rounding(question, typed)
+    hint = _first_hint(question.values_of_slips, given) or _explain_rounding(question, typed)
     if hint:
         return [hint]
     difference = _find_difference(question, typed, given)
@@ -185,10 +184,10 @@ def _first_hint(mistakes: values.Mistakes, given: values.Values) -> str | None:
 
 def _explain_wrong_bodies(question: Question, given: values.Values) -> str | None:
     """Return the hint at a wrong body, None if no wrong body explains the answer."""
-    hint = _first_hint(question.altered, given)
+    hint = _first_hint(question.values_of_wrong_bodies, given)
     if hint or not question.of_one_body:
         return hint
-    hint_without_half = _first_hint(question.altered, tuple(value / 2 for value in given))
+    hint_without_half = _first_hint(question.values_of_wrong_bodies, tuple(value / 2 for value in given))
     if hint_without_half:
         return _("{hint} A factor ½ is missing as well.").format(hint=hint_without_half)
     return None
@@ -215,9 +214,9 @@ def _explain_rounded_mistake(question: Question, typed: sp.Expr, digits: int) ->
     """Return the hint if the decimal number is the rounded result of exactly one mistake, else None."""
     mistakes: list[tuple[str, values.Values]] = []
     if digits >= _DIGITS_FOR_SLIPS:
-        mistakes += question.slips
+        mistakes += question.values_of_slips
     if digits >= _DIGITS_FOR_BODIES:
-        mistakes += question.altered
+        mistakes += question.values_of_wrong_bodies
     hints = []
     for hint, wrong in mistakes:
         units = values.rounding_error(typed, wrong)

@@ -115,90 +115,96 @@ def _with_shape_factor(beta: sp.Rational) -> Callable[[Body], dict[str, Any]]:
 
 MISTAKES = (
     Mistake(
-        "no_rotation",
+        id="no_rotation",
         # TRANSLATORS: {body} is the block, the hoop, the lower rollers … as translated for this.
-        _("You get this result if you leave out the rotation of {body}. What is the energy of a rotation?"),
-        (*_ROLLERS.split(), _LOWER, _ROLLERS),
-        lambda _body: {"shape_factor": sp.S.Zero},
-        ("kinetic_energy_hoop", "½m'(Rφ'-X')²"),
+        hint=_("You get this result if you leave out the rotation of {body}. What is the energy of a rotation?"),
+        groups=(*_ROLLERS.split(), _LOWER, _ROLLERS),
+        change=lambda _body: {"shape_factor": sp.S.Zero},
+        example=("kinetic_energy_hoop", "½m'(Rφ'-X')²"),
     ),
     Mistake(
-        "rolls_on_ground",
-        _(
+        id="rolls_on_ground",
+        hint=_(
             # TRANSLATORS: {body} is the hoop, the lower rollers … as translated for this.
             "You get this result if you divide the velocity of {body} relative to the ground by R to find the angular "
             "velocity. On which surface does a roller roll?"
         ),
-        (*_ROLLERS.split(), _LOWER, _ROLLERS),
-        lambda body: {"angle": sp.expand(body.displacement / R)},
-        ("kinetic_energy_hoop", "½m'(Rφ'-X')²+½m'(Rφ'-X')²"),
+        groups=(*_ROLLERS.split(), _LOWER, _ROLLERS),
+        change=lambda body: {"angle": sp.expand(body.displacement / R)},
+        example=("kinetic_energy_hoop", "½m'(Rφ'-X')²+½m'(Rφ'-X')²"),
     ),
     Mistake(
-        "other_mass",
+        id="other_mass",
         # TRANSLATORS: {body} is the block, the hoop, the lower rollers … as translated for this.
-        _("You get this result if you give the mass {mass} to {body}. Which bodies have this mass?"),
-        (*BODY_NAMES, _LOWER),
-        lambda body: {"mass": m if body.mass == m_prime else m_prime},
-        ("kinetic_energy_block", "½m'X'²"),
+        hint=_("You get this result if you give the mass {mass} to {body}. Which bodies have this mass?"),
+        groups=(*BODY_NAMES, _LOWER),
+        change=lambda body: {"mass": m if body.mass == m_prime else m_prime},
+        example=("kinetic_energy_block", "½m'X'²"),
     ),
     Mistake(
-        "sign_of_X",
+        id="sign_of_X",
         # TRANSLATORS: {body} is the block, the hoop, the lower rollers … as translated for this.
-        _("You get this result if you add X′ to the velocity of {body}. In which direction does the block move?"),
-        (*_RIDERS.split(), _LOWER),
-        lambda body: {"displacement": body.displacement.subs(X, -X)},
-        ("kinetic_energy_hoop", "½m'(Rφ'+X')²+½m'R²φ'²"),
+        hint=_("You get this result if you add X′ to the velocity of {body}. In which direction does the block move?"),
+        groups=(*_RIDERS.split(), _LOWER),
+        change=lambda body: {"displacement": body.displacement.subs(X, -X)},
+        example=("kinetic_energy_hoop", "½m'(Rφ'+X')²+½m'R²φ'²"),
     ),
     Mistake(
-        "relative_to_block",
+        id="relative_to_block",
         # TRANSLATORS: {body} is the block, the hoop, the lower rollers … as translated for this.
-        _("You get this result if you take the velocity of {body} relative to the block. How does the block move?"),
-        (*_RIDERS.split(), _LOWER, _RIDERS),
-        lambda body: {"displacement": body.displacement.subs(X, 0)},
-        ("kinetic_energy_hoop", "m'R²φ'²"),
+        hint=_(
+            "You get this result if you take the velocity of {body} relative to the block. How does the block move?"
+        ),
+        groups=(*_RIDERS.split(), _LOWER, _RIDERS),
+        change=lambda body: {"displacement": body.displacement.subs(X, 0)},
+        example=("kinetic_energy_hoop", "m'R²φ'²"),
     ),
     Mistake(
-        "slab_as_centres",
+        id="slab_as_centres",
         # TRANSLATORS: {body} is the block, the hoop, the lower rollers … as translated for this.
-        _("You get this result if {body} moves only as far as the centres of its rollers. How far do their tops move?"),
-        ("slab",),
-        lambda _body: {"displacement": right_machine()["hoop"].displacement},
-        ("kinetic_energy_slab", "½m(Rφ'-X')²"),
+        hint=_(
+            "You get this result if {body} moves only as far as the centres of its rollers. How far do their tops move?"
+        ),
+        groups=("slab",),
+        change=lambda _body: {"displacement": right_machine()["hoop"].displacement},
+        example=("kinetic_energy_slab", "½m(Rφ'-X')²"),
     ),
     Mistake(
-        "roller_as_slab",
+        id="roller_as_slab",
         # TRANSLATORS: {body} is the block, the hoop, the lower rollers … as translated for this.
-        _("You get this result if you let {body} move as far as the slab. How far does the centre of a roller move?"),
-        (*_LOWER.split(), _LOWER),
-        lambda _body: {"displacement": right_machine()["slab"].displacement},
-        ("kinetic_energy_hoop", "½m'(2Rφ'-X')²+½m'R²φ'²"),
+        hint=_(
+            "You get this result if you let {body} move as far as the slab. How far does the centre of a roller move?"
+        ),
+        groups=(*_LOWER.split(), _LOWER),
+        change=lambda _body: {"displacement": right_machine()["slab"].displacement},
+        example=("kinetic_energy_hoop", "½m'(2Rφ'-X')²+½m'R²φ'²"),
     ),
     Mistake(
-        "other_angle",
+        id="other_angle",
         # TRANSLATORS: {body} is the block, the hoop, the lower rollers … as translated for this.
-        _("You get this result if you use the angle {angle} for {body}. Which bodies turn by this angle?"),
-        tuple(_RIDERS.split()),
-        _other_angle,
-        ("kinetic_energy_hoop", "½m'(RΦ'-X')²+½m'R²Φ'²"),
+        hint=_("You get this result if you use the angle {angle} for {body}. Which bodies turn by this angle?"),
+        groups=tuple(_RIDERS.split()),
+        change=_other_angle,
+        example=("kinetic_energy_hoop", "½m'(RΦ'-X')²+½m'R²Φ'²"),
     ),
     *(
         Mistake(
-            f"inertia_{shape}",
+            id=f"inertia_{shape}",
             # TRANSLATORS: {body} is the hoop, the top cylinder …; {shape} is a hoop, a solid cylinder …
-            _("You get this result if {body} has the moment of inertia of {shape}. What is the right one?"),
-            tuple(_ROLLERS.split()),
-            _with_shape_factor(shape),
-            example,
+            hint=_("You get this result if {body} has the moment of inertia of {shape}. What is the right one?"),
+            groups=tuple(_ROLLERS.split()),
+            change=_with_shape_factor(shape),
+            example=example,
         )
         for shape, (_name, example) in _SHAPES.items()
     ),
     Mistake(
-        "left_out",
+        id="left_out",
         # TRANSLATORS: {body} is the block, the hoop, the lower rollers … as translated for this.
-        _("You get this result if you leave out {body}. Which bodies have kinetic energy?"),
-        tuple(BODY_NAMES),
-        lambda _body: {"mass": sp.S.Zero},
-        ("lagrangian", "(m+m')X'² + ¼(8m+7m')R²φ'² - 2(m+m')RX'φ' - 2kR²φ²"),
+        hint=_("You get this result if you leave out {body}. Which bodies have kinetic energy?"),
+        groups=tuple(BODY_NAMES),
+        change=lambda _body: {"mass": sp.S.Zero},
+        example=("lagrangian", "(m+m')X'² + ¼(8m+7m')R²φ'² - 2(m+m')RX'φ' - 2kR²φ²"),
     ),
 )
 

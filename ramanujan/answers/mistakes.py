@@ -170,12 +170,12 @@ def _fill_slip(id: str, example: str, *results: sp.Expr | None, **slots: object)
     return Slip(id, HINTS[id].format(**slots), example, results)
 
 
-def elimination() -> Elimination:
+def eliminate_right_machine() -> Elimination:
     """Return the elimination for the right machine."""
     return eliminate(machines.right_machine())
 
 
-def no_radius(right: sp.Expr) -> Slip:
+def find_radius_slip(right: sp.Expr) -> Slip:
     """Return the slip of leaving out R."""
     return _fill_slip("no_radius", "½m'(φ'-X')²+½m'φ'²", right.subs(R, 1))
 
@@ -183,7 +183,7 @@ def no_radius(right: sp.Expr) -> Slip:
 # Energies
 
 
-def energy(name: str) -> Slips:
+def find_energy_slips(name: str) -> Slips:
     """Yield the slips in the kinetic energy of one body."""
     body = machines.right_machine()[name]
     whole = sp.expand(body.kinetic_energy)
@@ -206,7 +206,7 @@ def energy(name: str) -> Slips:
     yield _fill_slip("rotation_alone", "½m'R²φ'²", rotation, body=machines.BODY_NAMES[name])
 
 
-def spring() -> Slips:
+def find_spring_slips() -> Slips:
     """Yield the slips in the energy of the spring."""
     bodies = machines.right_machine()
     path, block = bodies.deformation, bodies["block"].displacement
@@ -220,34 +220,34 @@ def spring() -> Slips:
 # The Lagrangian, and the equations that follow from it
 
 
-def lagrangian(right: sp.Expr) -> Slips:
+def find_lagrangian_slips(right: sp.Expr) -> Slips:
     """Yield the slips in the Lagrangian: in the sign of U and in U itself."""
     stored = machines.right_machine().potential_energy
     kinetic = "½(3m+2m')X'² + ¼(8m+7m')R²φ'² + ¾mR²Φ'² - 2(m+m')RX'φ' - mRX'Φ'"
     yield _fill_slip("potential_energy_added", f"{kinetic} + 2kR²φ²", right + 2 * stored)
     yield _fill_slip("kinetic_energy_alone", kinetic, right + stored)
-    for slip in spring():
+    for slip in find_spring_slips():
         yield slip._replace(results=tuple(right + stored - wrong for wrong in slip.results))
 
 
-def momentum(right: sp.Expr) -> Slips:
+def find_momentum_slips(right: sp.Expr) -> Slips:
     """Yield the slips in p_X."""
     rate = VELOCITIES[0]
-    yield from _coordinate_slips("other_momentum", "(3/2)mR²Φ' - mRX'", elimination().momenta)
+    yield from _find_coordinate_slips("other_momentum", "(3/2)mR²Φ' - mRX'", eliminate_right_machine().momenta)
     half_as_much = right - right.coeff(rate) * rate / 2
     yield _fill_slip("no_2_of_derivative", "½(3m+2m')X' - 2(m+m')Rφ' - mRΦ'", half_as_much)
     yield _fill_slip("block_alone", "mX'", m * rate)
 
 
-def block_equation(right: sp.Expr) -> Slips:
+def find_block_equation_slips(right: sp.Expr) -> Slips:
     """Yield the slips in the equation of motion of X."""
     of_velocities = right.xreplace(dict(zip(ACCELERATIONS, VELOCITIES, strict=True)))
     yield _fill_slip("momentum_is_zero", "(3m+2m')X' = 2(m+m')Rφ' + mRΦ'", of_velocities)
-    yield from _coordinate_slips("other_equation", "(3/2)RΦ'' = X''", elimination().motion)
+    yield from _find_coordinate_slips("other_equation", "(3/2)RΦ'' = X''", eliminate_right_machine().motion)
     yield _fill_slip("centres_do_not_accelerate", "X'' = Rφ''", ACCELERATIONS[0] - R * ACCELERATIONS[1])
 
 
-def _coordinate_slips(id: str, example: str, results: dict[sp.Expr, sp.Expr]) -> Slips:
+def _find_coordinate_slips(id: str, example: str, results: dict[sp.Expr, sp.Expr]) -> Slips:
     """Yield the slips of answering for φ or Φ instead of X."""
     for q, letter in zip(COORDINATES[1:], "φΦ", strict=True):
         yield _fill_slip(id, example, results[q], coordinate=letter)
@@ -256,7 +256,7 @@ def _coordinate_slips(id: str, example: str, results: dict[sp.Expr, sp.Expr]) ->
 # The elimination
 
 
-def coupling(name: str, right: sp.Expr) -> Slips:
+def find_coupling_slips(name: str, right: sp.Expr) -> Slips:
     """Yield the slips in Ẍ/φ̈ or Φ̈/φ̈: guesses, the reciprocal, another quotient, and slips of the elimination."""
     if name == "block_coupling":
         yield _fill_slip("centres_at_rest", "R", R)
@@ -264,31 +264,31 @@ def coupling(name: str, right: sp.Expr) -> Slips:
     else:
         yield _fill_slip("rollers_turn_alike", "1", sp.S.One)
     yield _fill_slip("reciprocal_coupling", "(7m+6m')/(4(m+m'))", 1 / right)
-    block, top = factor_in_equation("X_from_phi"), factor_in_equation("Phi_from_phi")
+    block, top = find_factor_of_acceleration("X_from_phi"), find_factor_of_acceleration("Phi_from_phi")
     quotients = {("X", "φ"): block, ("Φ", "φ"): top, ("X", "Φ"): block / top, ("Φ", "X"): top / block}
     for (above, below), quotient in quotients.items():
         if quotient != right:
             pair = {"above": above, "below": below}
             yield _fill_slip("other_pair", "4(m+m')/(7m+6m')", quotient, **pair)
             yield _fill_slip("other_pair_and_radius", "2/3", quotient * R, quotient / R, **pair)
-    yield from _mass_slips(right)
-    yield from elimination_slips(name)
+    yield from _find_mass_slips(right)
+    yield from find_elimination_slips(name)
 
 
-def factor_in_equation(equation: str) -> sp.Expr:
+def find_factor_of_acceleration(equation: str) -> sp.Expr:
     """Return the factor of φ̈ in an equation of the elimination."""
-    return getattr(elimination(), equation).coeff(phi_ddot)
+    return getattr(eliminate_right_machine(), equation).coeff(phi_ddot)
 
 
-def equation(right: sp.Expr) -> Slips:
+def find_phi_equation_slips(right: sp.Expr) -> Slips:
     """Yield the slips in the equation of motion of φ."""
-    yield _fill_slip("after_insertion", "R(32m²+49mm'+18m'²)/(2(7m+6m'))", factor_in_equation("remaining"))
+    yield _fill_slip("after_insertion", "R(32m²+49mm'+18m'²)/(2(7m+6m'))", find_factor_of_acceleration("remaining"))
     yield _fill_slip("times_radius", "R²(8m+7m')/2", right * R)
     yield _fill_slip("reciprocal_factor", "2/(R(8m+7m'))", 1 / right)
-    yield from _mass_slips(right)
+    yield from _find_mass_slips(right)
 
 
-def frequency(right: sp.Expr) -> Slips:
+def find_frequency_slips(right: sp.Expr) -> Slips:
     """Yield the slips in Ω²."""
     for_equal_masses = right.subs(m_prime, m)
     total_mass = sum(body.mass for body in machines.right_machine().bodies)
@@ -301,11 +301,11 @@ def frequency(right: sp.Expr) -> Slips:
     yield _fill_slip("equal_masses_normalized", "104/99", for_equal_masses * m / k)
     yield _fill_slip("root_for_equal_masses", "√(104k/(99m))", sp.sqrt(for_equal_masses))
     yield _fill_slip("reciprocal_frequency", "(32m²+49mm'+18m'²)/(8k(7m+6m'))", 1 / right)
-    yield from _mass_slips(right)
-    yield from elimination_slips("natural_frequency_squared")
+    yield from _find_mass_slips(right)
+    yield from find_elimination_slips("natural_frequency_squared")
 
 
-def _mass_slips(right: sp.Expr) -> Slips:
+def _find_mass_slips(right: sp.Expr) -> Slips:
     """Yield an answer for equal masses, and answers with m and m′ interchanged."""
     yield _fill_slip("equal_masses", "12R/13", right.subs(m_prime, m), right.subs(m, m_prime))
     numerator, denominator = sp.fraction(right)
@@ -315,7 +315,7 @@ def _mass_slips(right: sp.Expr) -> Slips:
     yield _fill_slip("masses_interchanged", "6R(m+m')/(6m+7m')", *results)
 
 
-def elimination_slips(name: str) -> Slips:
+def find_elimination_slips(name: str) -> Slips:
     """Yield the slips in the elimination; each multiplies one entry of the mass matrix by a factor."""
     solve = partial(machines.solve, name, machines.right_machine())
     # The rows and columns 0, 1 and 2 belong to X, φ and Φ.
@@ -328,7 +328,7 @@ def elimination_slips(name: str) -> Slips:
 # The mass ratio
 
 
-def ratio() -> Slips:
+def find_mass_ratio_slips() -> Slips:
     """Yield the slips in the unit mass ratio: in the quadratic formula, then in the quadratic."""
     condition = unit_frequency_condition()
     (a, b, c), discriminant = condition.quadratic.all_coeffs(), condition.discriminant
@@ -343,22 +343,22 @@ def ratio() -> Slips:
     yield _fill_slip("no_b", "√1729/36", root / (2 * a))
     yield _fill_slip("no_b_squared", "(√1728-1)/36", (sp.sqrt(-4 * a * c) - b) / (2 * a))
     yield _fill_slip("no_4_under_root", "(√433-1)/36", (sp.sqrt(b**2 - a * c) - b) / (2 * a))
-    for slip in _condition_slips():
+    for slip in _find_condition_slips():
         roots = (machines.positive_root(sp.Poly(wrong, epsilon)) for wrong in slip.results)
         yield slip._replace(results=tuple(roots))
-    yield from elimination_slips("unit_mass_ratio")
+    yield from find_elimination_slips("unit_mass_ratio")
 
 
-def quadratic(right: sp.Expr) -> Slips:
+def find_quadratic_slips(right: sp.Expr) -> Slips:
     """Yield the slips in the quadratic equation for the unit mass ratio."""
     yield _fill_slip("no_term_in_ratio", "18ε² = 24", right - right.coeff(epsilon) * epsilon)
     of_inverse = sp.expand(right.subs(epsilon, 1 / epsilon) * epsilon**2)
     yield _fill_slip("equation_of_inverse", "24ε² = ε + 18", of_inverse)
-    yield from _condition_slips()
-    yield from elimination_slips("unit_quadratic")
+    yield from _find_condition_slips()
+    yield from find_elimination_slips("unit_quadratic")
 
 
-def _condition_slips() -> Slips:
+def _find_condition_slips() -> Slips:
     """Yield the slips between Ω²m/k = 1 and the quadratic: in signs, and in the product in the numerator."""
     above, below = sp.fraction(unit_frequency_condition().normalized_frequency_squared)
     yield _fill_slip("sides_added", "18ε² + 97ε + 88 = 0", below + above)

@@ -14,7 +14,7 @@ from sympy.polys.fields import FracElement
 from ramanujan.answers import machines, mistakes
 from ramanujan.answers.formulas import leaves, length, remove_signs
 from ramanujan.answers.machines import BODY_NAMES, Altered
-from ramanujan.answers.mistakes import Slip, Slips, elimination
+from ramanujan.answers.mistakes import Slip, Slips, eliminate_right_machine
 from ramanujan.answers.spelling import MOTION, SYMBOLS, TEXTBOOK
 from ramanujan.answers.terms import NAMES, Comparison, to_fraction
 from ramanujan.answers.values import Mistakes, Values, agree, evaluate_at_points, quotients_at_points
@@ -43,7 +43,7 @@ class Question:
     kind : POLYNOMIAL, QUOTIENT, NUMBER or EQUATION
     steps : keys of the steps in the route of Euler and Lagrange that explain the answer; the last step contains it
     next_question : the lecturer's next question after a wrong answer
-    mistakes : function (right answer) → its slips
+    find_slips : function (right answer) → its slips
     of_machine : function (machine with wrong bodies) → the answer for it
     of_terms : product of names, as shown → the next question about its coefficient
     letters : letter of the textbook → its meaning here, and a question about the meaning
@@ -60,7 +60,7 @@ class Question:
     kind: str
     steps: tuple[str, ...]
     next_question: str
-    mistakes: Callable[[sp.Expr], Slips] = lambda _right: iter(())
+    find_slips: Callable[[sp.Expr], Slips] = lambda _right: iter(())
     of_machine: Callable[[Machine], sp.Expr | None] = lambda _machine: None
     of_terms: Mapping[str, str] = field(default_factory=dict)
     letters: Mapping[sp.Symbol, tuple[sp.Expr, str]] = field(default_factory=dict)
@@ -94,7 +94,7 @@ class Question:
     @property
     def hints(self) -> tuple[str, ...]:
         """The next question, then the reasons of the steps, Markdown with $…$; none contains the answer."""
-        return (self.next_question, *(_step(key).reason for key in self.steps))
+        return (self.next_question, *(_find_step(key).reason for key in self.steps))
 
     def evaluate(self, formula: sp.Expr) -> Values:
         """Return the values of a formula for the comparison with the answer.
@@ -137,18 +137,18 @@ class Question:
         """
         return Comparison(self.to_fraction(formula), self.right_terms, self.to_fraction(remove_signs(formula)))
 
-    def all_slips(self) -> list[Slip]:
+    def list_slips(self) -> list[Slip]:
         """Return all slips, including those without effect on the answer."""
-        slips = list(self.mistakes(self.right))
+        slips = list(self.find_slips(self.right))
         if R in leaves(self.right):
-            slips.insert(0, mistakes.no_radius(self.right))
+            slips.insert(0, mistakes.find_radius_slip(self.right))
         return slips
 
     @cached_property
-    def slips(self) -> Mistakes:
+    def values_of_slips(self) -> Mistakes:
         """Hint and values of each slip that changes the answer."""
         slips = []
-        for slip in self.all_slips():
+        for slip in self.list_slips():
             for result in dict.fromkeys(slip.results):
                 values = self._values_of_mistake(result)
                 if values:
@@ -156,7 +156,7 @@ class Question:
         return tuple(slips)
 
     @cached_property
-    def altered(self) -> Mistakes:
+    def values_of_wrong_bodies(self) -> Mistakes:
         """Hint and values of each machine with wrong bodies, unless different mistakes have the same values."""
         groups: list[tuple[Values, list[Altered]]] = []
         for altered in machines.altered_machines():
@@ -199,39 +199,39 @@ def _add_to_group(groups: list[tuple[Values, list[Altered]]], values: Values, al
     groups.append((values, [altered]))
 
 
-def question(name: str) -> Question:
+def find_question(name: str) -> Question:
     """Return the question with this name."""
     return _BY_NAME[name]
 
 
-def shown_step(name: str) -> tuple[sp.Eq, ...]:
+def find_answer_equations(name: str) -> tuple[sp.Eq, ...]:
     """Return the equations of the step with the answer to a question; one of them is the answer itself."""
-    named = question(name)
+    named = find_question(name)
     last_step = named.steps[-1]
-    equations = tuple(_equations_of_body(named)) if last_step == "energies" else _step(last_step).equations
+    equations = tuple(_find_body_equations(named)) if last_step == "energies" else _find_step(last_step).equations
     if any(named.right in equation.args for equation in equations):
         return equations
     return (*equations, model.equation(named.symbol or equations[-1].lhs, named.right))
 
 
-def _equations_of_body(question: Question) -> list[sp.Eq]:
+def _find_body_equations(question: Question) -> list[sp.Eq]:
     """Return the equations about one body, or about the spring, from steps with an equation for every body."""
     _quantity, _bar, body = question.name.rpartition("_")
     names = {f"{letter}_{body}" for letter in "vIT"}
     if "potential" in question.name:
         names |= {"x", "U"}
-    equations = [equation for key in question.steps for equation in _step(key).equations]
+    equations = [equation for key in question.steps for equation in _find_step(key).equations]
     return [equation for equation in equations if str(equation.lhs) in names]
 
 
-def _step(key: str) -> Step:
+def _find_step(key: str) -> Step:
     return ROUTES["euler_lagrange"][key]
 
 
 # The questions
 
 
-def _body_question(name: str) -> Question:
+def _make_body_question(name: str) -> Question:
     body, body_name = machine()[name], BODY_NAMES[name]
     # The block has no rate: its velocity contains only X′.
     rate = {"block": "", "top": "Φ′"}.get(name, "φ′")
@@ -259,17 +259,17 @@ def _body_question(name: str) -> Question:
         letters[TEXTBOOK["I"]] = body.moment_of_inertia, _("What is I?")
         letters[TEXTBOOK["omega"]] = body.angle.diff(t), _("What is ω?")
     return Question(
-        f"kinetic_energy_{name}",
+        name=f"kinetic_energy_{name}",
         # TRANSLATORS: {body} is the block, the hoop, the lower cylinder, the slab or the top cylinder.
-        _("the kinetic energy of {body}").format(body=body_name),
-        lambda: body.kinetic_energy,
+        quantity=_("the kinetic energy of {body}").format(body=body_name),
+        answer=lambda: body.kinetic_energy,
         # TRANSLATORS: {body} is the block, the hoop, the lower cylinder, the slab or the top cylinder.
-        lambda: _("What is the kinetic energy of {body} relative to the ground?").format(body=body_name),
-        "3/5 m' (X' + 3 R phi')^2",
-        POLYNOMIAL,
-        ("velocities", "energies") if body.angle == 0 else ("velocities", "inertia", "energies"),
-        next_question.format(body=body_name),
-        mistakes=lambda _right: mistakes.energy(name),
+        prompt=lambda: _("What is the kinetic energy of {body} relative to the ground?").format(body=body_name),
+        example="3/5 m' (X' + 3 R phi')^2",
+        kind=POLYNOMIAL,
+        steps=("velocities", "energies") if body.angle == 0 else ("velocities", "inertia", "energies"),
+        next_question=next_question.format(body=body_name),
+        find_slips=lambda _right: mistakes.find_energy_slips(name),
         of_machine=lambda bodies: bodies[name].kinetic_energy,
         of_terms=hints,
         letters=letters,
@@ -277,154 +277,158 @@ def _body_question(name: str) -> Question:
     )
 
 
-def _coupling_question(name: str, quantity: str, acceleration: sp.Expr, equation: str) -> Question:
+def _make_coupling_question(name: str, quantity: str, acceleration: sp.Expr, equation: str) -> Question:
     return Question(
-        name,
-        quantity,
-        lambda: mistakes.factor_in_equation(equation),
-        lambda: _("The equations of motion of $X$ and $\\Phi$ give {relation}. What is $c$?").format(
+        name=name,
+        quantity=quantity,
+        answer=lambda: mistakes.find_factor_of_acceleration(equation),
+        prompt=lambda: _("The equations of motion of $X$ and $\\Phi$ give {relation}. What is $c$?").format(
             relation=f"${latex(acceleration)}=c\\,{latex(phi_ddot)}$"
         ),
-        "R (2m + m')/(5m)" if acceleration == X_ddot else "(2m + m')/(5m)",
-        QUOTIENT,
-        ("motion", "elimination"),
-        _("What do the equations of motion of X and Φ say about the three accelerations?"),
-        mistakes=partial(mistakes.coupling, name),
+        example="R (2m + m')/(5m)" if acceleration == X_ddot else "(2m + m')/(5m)",
+        kind=QUOTIENT,
+        steps=("motion", "elimination"),
+        next_question=_("What do the equations of motion of X and Φ say about the three accelerations?"),
+        find_slips=partial(mistakes.find_coupling_slips, name),
         of_machine=partial(machines.solve, name),
         symbol=sp.Symbol("c"),
     )
 
 
-def _equation_prompt() -> str:
-    equation = elimination().motion[phi]
+def _write_equation_prompt() -> str:
+    equation = eliminate_right_machine().motion[phi]
     # The question asks for the factor of φ̈, so the letter a replaces it.
     with_letter = equation - equation.coeff(phi_ddot) * phi_ddot + sp.Symbol("a") * phi_ddot
     prompt = _("The equation of motion of {coordinate} is {equation}. What is $a$?")
     return prompt.format(coordinate=f"${latex(phi)}$", equation=f"${latex(with_letter)}=0$")
 
 
-def _first_row(bodies: Machine, states: tuple[sp.Expr, ...]) -> sp.Expr:
+def _compute_first_row(bodies: Machine, states: tuple[sp.Expr, ...]) -> sp.Expr:
     """Return the first row of the mass matrix of a machine times velocities or accelerations."""
     return sp.Add(*map(sp.Mul, machines.mass_matrix(bodies)[0], states))
 
 
-def _block_equation(bodies: Machine) -> sp.Expr | None:
+def _derive_block_equation(bodies: Machine) -> sp.Expr | None:
     """Return the equation of motion of X, None for an equation with one term, which states only that it is zero."""
-    equation = _first_row(bodies, model.ACCELERATIONS)
+    equation = _compute_first_row(bodies, model.ACCELERATIONS)
     return equation if equation.is_Add else None
 
 
 _ALL = (
-    *map(_body_question, BODY_NAMES),
+    *map(_make_body_question, BODY_NAMES),
     Question(
-        "potential_energy",
-        _("the potential energy"),
-        lambda: machine().potential_energy,
-        lambda: _("What is the potential energy of the spring when the lower rollers have turned by {angle}?").format(
-            angle=f"${latex(phi)}$"
-        ),
-        "k (R phi)^2 / 5",
-        POLYNOMIAL,
-        ("inertia", "energies"),
-        _("How far is the spring compressed when the lower rollers have turned by φ?"),
-        mistakes=lambda _right: mistakes.spring(),
+        name="potential_energy",
+        quantity=_("the potential energy"),
+        answer=lambda: machine().potential_energy,
+        prompt=lambda: _(
+            "What is the potential energy of the spring when the lower rollers have turned by {angle}?"
+        ).format(angle=f"${latex(phi)}$"),
+        example="k (R phi)^2 / 5",
+        kind=POLYNOMIAL,
+        steps=("inertia", "energies"),
+        next_question=_("How far is the spring compressed when the lower rollers have turned by φ?"),
+        find_slips=lambda _right: mistakes.find_spring_slips(),
         letters={TEXTBOOK["x"]: (machine().deformation, _("What is x in terms of φ?"))},
         variables=MOTION,
     ),
     Question(
-        "lagrangian",
-        _("the Lagrangian"),
-        lambda: elimination().lagrangian,
-        lambda: _("What is the Lagrangian of the whole machine?"),
-        "m' X'^2 - k (R phi)^2",
-        POLYNOMIAL,
-        ("energies", "sum", "lagrangian"),
-        _("What are the kinetic energies of the five bodies, and what is the potential energy?"),
-        mistakes=mistakes.lagrangian,
+        name="lagrangian",
+        quantity=_("the Lagrangian"),
+        answer=lambda: eliminate_right_machine().lagrangian,
+        prompt=lambda: _("What is the Lagrangian of the whole machine?"),
+        example="m' X'^2 - k (R phi)^2",
+        kind=POLYNOMIAL,
+        steps=("energies", "sum", "lagrangian"),
+        next_question=_("What are the kinetic energies of the five bodies, and what is the potential energy?"),
+        find_slips=mistakes.find_lagrangian_slips,
         of_machine=lambda bodies: bodies.kinetic_energy - bodies.potential_energy,
         variables=MOTION,
         any_form=True,
     ),
     Question(
-        "block_momentum",
-        _("the momentum of X"),
-        lambda: elimination().momenta[X],
-        lambda: _("What is the momentum {momentum}, written with the velocities?").format(
+        name="block_momentum",
+        quantity=_("the momentum of X"),
+        answer=lambda: eliminate_right_machine().momenta[X],
+        prompt=lambda: _("What is the momentum {momentum}, written with the velocities?").format(
             momentum=f"${latex(model.MOMENTA[0])}=\\partial\\mathcal L/\\partial\\dot X$"
         ),
-        "2 m X' - m' R phi'",
-        POLYNOMIAL,
-        ("momenta",),
-        _("Which terms of the Lagrangian contain X′?"),
-        mistakes=mistakes.momentum,
-        of_machine=lambda bodies: _first_row(bodies, model.VELOCITIES),
+        example="2 m X' - m' R phi'",
+        kind=POLYNOMIAL,
+        steps=("momenta",),
+        next_question=_("Which terms of the Lagrangian contain X′?"),
+        find_slips=mistakes.find_momentum_slips,
+        of_machine=lambda bodies: _compute_first_row(bodies, model.VELOCITIES),
         variables=MOTION,
     ),
     Question(
-        "block_equation",
-        _("the equation of motion of X"),
-        lambda: elimination().motion[X],
-        lambda: _("What is the equation of motion of {coordinate}?").format(coordinate=f"${latex(X)}$"),
-        "2 m X'' = m' R phi''",
-        EQUATION,
-        ("rates", "motion"),
-        _("What is the momentum of X, and what does Lagrange’s equation say about its derivative?"),
-        mistakes=mistakes.block_equation,
-        of_machine=_block_equation,
+        name="block_equation",
+        quantity=_("the equation of motion of X"),
+        answer=lambda: eliminate_right_machine().motion[X],
+        prompt=lambda: _("What is the equation of motion of {coordinate}?").format(coordinate=f"${latex(X)}$"),
+        example="2 m X'' = m' R phi''",
+        kind=EQUATION,
+        steps=("rates", "motion"),
+        next_question=_("What is the momentum of X, and what does Lagrange’s equation say about its derivative?"),
+        find_slips=mistakes.find_block_equation_slips,
+        of_machine=_derive_block_equation,
         variables=MOTION,
     ),
     Question(
-        "phi_equation",
-        _("the factor of the acceleration"),
-        lambda: elimination().motion[phi].coeff(phi_ddot),
-        _equation_prompt,
-        "R (2m + m')/5",
-        POLYNOMIAL,
-        ("rates", "motion"),
-        _("Which kinetic energies contain φ′², and with which factors?"),
-        mistakes=mistakes.equation,
+        name="phi_equation",
+        quantity=_("the factor of the acceleration"),
+        answer=lambda: eliminate_right_machine().motion[phi].coeff(phi_ddot),
+        prompt=_write_equation_prompt,
+        example="R (2m + m')/5",
+        kind=POLYNOMIAL,
+        steps=("rates", "motion"),
+        next_question=_("Which kinetic energies contain φ′², and with which factors?"),
+        find_slips=mistakes.find_phi_equation_slips,
         of_machine=partial(machines.solve, "phi_equation"),
         symbol=sp.Symbol("a"),
     ),
-    _coupling_question("block_coupling", _("the factor in the block’s acceleration"), X_ddot, "X_from_phi"),
-    _coupling_question("top_coupling", _("the factor in the top cylinder’s acceleration"), Phi_ddot, "Phi_from_phi"),
+    _make_coupling_question("block_coupling", _("the factor in the block’s acceleration"), X_ddot, "X_from_phi"),
+    _make_coupling_question(
+        "top_coupling", _("the factor in the top cylinder’s acceleration"), Phi_ddot, "Phi_from_phi"
+    ),
     Question(
-        "natural_frequency_squared",
-        "Ω²",
-        lambda: elimination().natural_frequency_squared,
-        lambda: _("What is $\\Omega^2$, the square of the natural frequency?"),
-        "2k/(3m + m')",
-        QUOTIENT,
-        ("elimination", "insertion", "frequency"),
-        _("What is left of the equation of motion of φ when you insert the other two accelerations?"),
-        mistakes=mistakes.frequency,
+        name="natural_frequency_squared",
+        quantity="Ω²",
+        answer=lambda: eliminate_right_machine().natural_frequency_squared,
+        prompt=lambda: _("What is $\\Omega^2$, the square of the natural frequency?"),
+        example="2k/(3m + m')",
+        kind=QUOTIENT,
+        steps=("elimination", "insertion", "frequency"),
+        next_question=_("What is left of the equation of motion of φ when you insert the other two accelerations?"),
+        find_slips=mistakes.find_frequency_slips,
         of_machine=partial(machines.solve, "natural_frequency_squared"),
     ),
     Question(
-        "unit_quadratic",
-        _("the quadratic equation"),
-        lambda: unit_frequency_condition().quadratic.as_expr(),
-        lambda: _("Which quadratic equation for {ratio} follows from $\\Omega^2=k/m$?").format(
+        name="unit_quadratic",
+        quantity=_("the quadratic equation"),
+        answer=lambda: unit_frequency_condition().quadratic.as_expr(),
+        prompt=lambda: _("Which quadratic equation for {ratio} follows from $\\Omega^2=k/m$?").format(
             ratio=f"${latex(epsilon)}=m'/m$"
         ),
-        "5 eps^2 + eps = 3",
-        EQUATION,
-        ("ratio", "unit"),
-        _("What is Ω² in units of k/m, written with ε?"),
-        mistakes=mistakes.quadratic,
+        example="5 eps^2 + eps = 3",
+        kind=EQUATION,
+        steps=("ratio", "unit"),
+        next_question=_("What is Ω² in units of k/m, written with ε?"),
+        find_slips=mistakes.find_quadratic_slips,
         of_machine=partial(machines.solve, "unit_quadratic"),
         variables=("eps",),
     ),
     Question(
-        "unit_mass_ratio",
-        _("the mass ratio"),
-        lambda: unit_frequency_condition().root,
-        lambda: _("For which mass ratio {ratio} is $\\Omega^2=k/m$ exactly?").format(ratio=f"${latex(epsilon)}=m'/m$"),
-        "(sqrt(5) - 1)/2",
-        NUMBER,
-        ("unit", "root"),
-        _("Which quadratic equation for ε follows from Ω² = k/m?"),
-        mistakes=lambda _right: mistakes.ratio(),
+        name="unit_mass_ratio",
+        quantity=_("the mass ratio"),
+        answer=lambda: unit_frequency_condition().root,
+        prompt=lambda: _("For which mass ratio {ratio} is $\\Omega^2=k/m$ exactly?").format(
+            ratio=f"${latex(epsilon)}=m'/m$"
+        ),
+        example="(sqrt(5) - 1)/2",
+        kind=NUMBER,
+        steps=("unit", "root"),
+        next_question=_("Which quadratic equation for ε follows from Ω² = k/m?"),
+        find_slips=lambda _right: mistakes.find_mass_ratio_slips(),
         of_machine=partial(machines.solve, "unit_mass_ratio"),
     ),
 )

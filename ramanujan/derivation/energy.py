@@ -73,7 +73,7 @@ def build(bodies: Machine) -> Route:
         _spring_mass_step(bodies, least, stiffness),
         _bound_step(clamped, least, stiffness),
     )
-    return Route("energy", _("Energy"), steps, frequency, CELLS)
+    return Route(name="energy", title=_("Energy"), steps=steps, natural_frequency_squared=frequency, cells=CELLS)
 
 
 def _quotient_step(inertia: sp.Expr, path: sp.Expr, speed: sp.Expr, stiffness: sp.Expr) -> Step:

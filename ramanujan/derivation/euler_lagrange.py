@@ -23,7 +23,9 @@ def build(bodies: model.Machine) -> Route:
     frequency = result.natural_frequency_squared
     ending = unit_steps(result) if frequency.has(m_prime) else (close_to_one_step(frequency * m / k),)
     steps = (*bodies_steps(bodies), *_elimination_steps(result), *ending)
-    return Route("euler_lagrange", _("Euler–Lagrange"), steps, frequency, CELLS)
+    return Route(
+        name="euler_lagrange", title=_("Euler–Lagrange"), steps=steps, natural_frequency_squared=frequency, cells=CELLS
+    )
 
 
 def _elimination_steps(result: Elimination) -> tuple[Step, ...]:

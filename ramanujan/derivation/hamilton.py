@@ -78,7 +78,7 @@ def build(bodies: Machine) -> Route:
         _reduction_step(constant, effective_mass, one_degree),
         _frequency_step(effective_mass, frequency, squared_ratio, rates, stiffness),
     )
-    return Route("hamilton", _("Hamilton"), steps, frequency, CELLS)
+    return Route(name="hamilton", title=_("Hamilton"), steps=steps, natural_frequency_squared=frequency, cells=CELLS)
 
 
 def _lagrangian_step(bodies: Machine) -> Step:

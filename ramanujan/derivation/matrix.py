@@ -102,7 +102,7 @@ def build(bodies: Machine) -> Route:
         _shortcut_step(result, stiffness),
         _mode_shape_step(result),
     )
-    return Route("matrix", _("Matrix"), steps, oscillating, CELLS)
+    return Route(name="matrix", title=_("Matrix"), steps=steps, natural_frequency_squared=oscillating, cells=CELLS)
 
 
 def _matrices_step(result: Modes) -> Step:

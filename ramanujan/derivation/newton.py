@@ -107,7 +107,7 @@ def solve_free_bodies(bodies: Machine) -> FreeBodies:
     ]
     solution = sp.solve(forces + torques + rolling, unknowns)
     factored = {unknown: sp.factor(solution[unknown]) for unknown in unknowns}
-    return FreeBodies(rollers, forces, torques, rolling, factored)
+    return FreeBodies(rollers=rollers, forces=forces, torques=torques, rolling=rolling, solution=factored)
 
 
 def contact_forces(bodies: Machine | None = None) -> dict[str, sp.Expr]:
@@ -218,7 +218,7 @@ def build(bodies: Machine) -> Route:
         _contact_step(free_bodies),
         _frequency_step(of_phi, solved_phi_ddot, frequency),
     )
-    return Route("newton", _("Newton"), steps, frequency, CELLS)
+    return Route(name="newton", title=_("Newton"), steps=steps, natural_frequency_squared=frequency, cells=CELLS)
 
 
 def _solve_friction(free_bodies: FreeBodies) -> dict[sp.Expr, sp.Expr]:

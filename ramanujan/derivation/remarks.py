@@ -69,11 +69,13 @@ def _taxicab() -> Remark:
         cubes = [f"{root}^3" if root > 0 else f"({root})^3" for root in sorted((a, b), reverse=True)]
         sides.append("+".join(cubes))
     return Remark(
-        _("Introduction"),
-        _("“the smallest number representable in two ways as a sum of two cubes”"),
-        _("the smallest number that is a sum of two *positive* cubes in two ways"),
-        _("If negative cubes are allowed, there is a smaller one: {number}.").format(number=f"${'='.join(sides)}$"),
-        taxicab == 1729 and n < taxicab and all(a**3 + b**3 == n for a, b in ways),
+        where=_("Introduction"),
+        printed=_("“the smallest number representable in two ways as a sum of two cubes”"),
+        correct=_("the smallest number that is a sum of two *positive* cubes in two ways"),
+        note=_("If negative cubes are allowed, there is a smaller one: {number}.").format(
+            number=f"${'='.join(sides)}$"
+        ),
+        holds=taxicab == 1729 and n < taxicab and all(a**3 + b**3 == n for a, b in ways),
     )
 
 
@@ -82,11 +84,11 @@ def _rounding(equal_masses: Elimination) -> Remark:
     printed, digits = sp.Rational("1.0506"), 4
     rounded = sp.floor(ratio * 10**digits + sp.Rational(1, 2)) / sp.Integer(10**digits)
     return Remark(
-        _("Section 1, last equation"),
-        f"${latex(ratio)}\\approx{in_latex(f'{float(printed):.{digits}f}')}$",
-        f"${latex(ratio)}\\approx{in_latex(f'{float(rounded):.{digits}f}')}$",
-        _("The last printed digit is one too high. No other result depends on it."),
-        bool(abs(ratio - rounded) < abs(ratio - printed)),
+        where=_("Section 1, last equation"),
+        printed=f"${latex(ratio)}\\approx{in_latex(f'{float(printed):.{digits}f}')}$",
+        correct=f"${latex(ratio)}\\approx{in_latex(f'{float(rounded):.{digits}f}')}$",
+        note=_("The last printed digit is one too high. No other result depends on it."),
+        holds=bool(abs(ratio - rounded) < abs(ratio - printed)),
     )
 
 
@@ -95,13 +97,15 @@ def _coefficients(result: Elimination) -> Remark:
     printed = result.Phi_from_phi / phi_ddot
     left = sp.Symbol("c_1") / sp.Symbol("c_2")
     return Remark(
-        _("Section 3, the constants $c_1$ and $c_2$"),
-        _("$c_2$ is identified from the relation between $\\ddot\\Phi$ and $\\ddot\\varphi$"),
-        _("{constant}; the coefficient in that relation is {ratio}").format(
+        where=_("Section 3, the constants $c_1$ and $c_2$"),
+        printed=_("$c_2$ is identified from the relation between $\\ddot\\Phi$ and $\\ddot\\varphi$"),
+        correct=_("{constant}; the coefficient in that relation is {ratio}").format(
             constant=f"${latex(equation('c_2', c_2))}$", ratio=f"${latex(equation(left, printed))}$"
         ),
-        _("With $\\ddot X=c_2\\ddot\\Phi$, the constant $c_2$ follows from the top cylinder’s equation of motion."),
-        sp.simplify(printed - c_1 / c_2) == 0 and sp.simplify(printed - c_2) != 0,
+        note=_(
+            "With $\\ddot X=c_2\\ddot\\Phi$, the constant $c_2$ follows from the top cylinder’s equation of motion."
+        ),
+        holds=sp.simplify(printed - c_1 / c_2) == 0 and sp.simplify(printed - c_2) != 0,
     )
 
 
@@ -112,14 +116,14 @@ def _proportionality(result: Elimination, spectrum: Modes) -> Remark:
     drifting = (X_0 + V * t + c_1 * oscillation, oscillation, Phi_0 + W * t + c_1 / c_2 * oscillation)
     general = sp.Symbol("X_0") + sp.Symbol("V") * t + sp.Symbol("c_1") * phi
     return Remark(
-        _("Section 3, replacing $\\varphi$"),
-        "$\\varphi=X/c_1$",
-        f"${latex(equation(X, general))}$",
-        _(
+        where=_("Section 3, replacing $\\varphi$"),
+        printed="$\\varphi=X/c_1$",
+        correct=f"${latex(equation(X, general))}$",
+        note=_(
             "The accelerations are proportional. The coordinates may differ in addition by a constant and a steady "
             "drift. After a release from rest there is no drift, but $X$ oscillates about a shifted centre."
         ),
-        _solves(spectrum, drifting) and sp.expand(drifting[0] - c_1 * drifting[1]) != 0,
+        holds=_solves(spectrum, drifting) and sp.expand(drifting[0] - c_1 * drifting[1]) != 0,
     )
 
 
@@ -130,11 +134,13 @@ def _sign(spectrum: Modes) -> Remark:
     has_minus_sign &= all(sp.expand(q.diff(t, 2) - Omega2 * q) != 0 for q in mode)
     likewise = _("{equation}, and likewise for $\\Phi$")
     return Remark(
-        _("Section 3, the four equations"),
-        likewise.format(equation=f"${latex(equation(X_ddot, Omega_squared * X))}$"),
-        likewise.format(equation=f"${latex(equation(X_ddot, -Omega_squared * X))}$"),
-        _("Each of them lacks a minus sign. Without it the motion would grow exponentially instead of oscillating."),
-        _solves(spectrum, mode) and has_minus_sign,
+        where=_("Section 3, the four equations"),
+        printed=likewise.format(equation=f"${latex(equation(X_ddot, Omega_squared * X))}$"),
+        correct=likewise.format(equation=f"${latex(equation(X_ddot, -Omega_squared * X))}$"),
+        note=_(
+            "Each of them lacks a minus sign. Without it the motion would grow exponentially instead of oscillating."
+        ),
+        holds=_solves(spectrum, mode) and has_minus_sign,
     )
 
 
@@ -143,14 +149,14 @@ def _one_mode(result: Elimination, spectrum: Modes) -> Remark:
     names = sp.Tuple(*(omega**2 for omega in sp.symbols("omega_1:4")))
     shown = eigenvalues.xreplace({result.natural_frequency_squared: Omega_squared})
     return Remark(
-        _("Section 3, last sentence"),
-        _("“all three modes have the same natural frequency”"),
-        _(
+        where=_("Section 3, last sentence"),
+        printed=_("“all three modes have the same natural frequency”"),
+        correct=_(
             "all three *coordinates* share the frequency of the one oscillating mode; the squared frequencies of the "
             "three modes are {values}"
         ).format(values=f"${latex(equation(names, shown))}$"),
-        _("The other two modes have frequency zero: the whole machine glides, or the top cylinder rolls freely."),
-        spectrum.eigenvalues == {sp.S.Zero: 2, result.natural_frequency_squared: 1},
+        note=_("The other two modes have frequency zero: the whole machine glides, or the top cylinder rolls freely."),
+        holds=spectrum.eigenvalues == {sp.S.Zero: 2, result.natural_frequency_squared: 1},
     )
 
 

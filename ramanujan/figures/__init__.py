@@ -69,9 +69,9 @@ def template(colors: Mapping[str, str], hover: str | None = None) -> dict[str, A
     return {"layout": layout, "data": {"scatter": [scatter]}}
 
 
-def figure(
+def build_figure(
     traces: Iterable[Mapping[str, Any]], colors: Mapping[str, str], height: int, hover: str | None = None, **layout: Any
-) -> "Drawn":
+) -> "EncodedFigure":
     """Return a figure in the common look.
 
     Parameters
@@ -81,14 +81,14 @@ def figure(
     height : of the figure [px]
     layout : further layout properties of Plotly
     """
-    return drawn(traces, {"template": template(colors, hover), "height": height, "showlegend": False, **layout})
+    return encode_figure(traces, {"template": template(colors, hover), "height": height, "showlegend": False, **layout})
 
 
 _TYPES = {"float32": "f4", "float64": "f8", "int8": "i1", "uint8": "u1", "int16": "i2", "int32": "i4"}
 """NumPy dtype → Plotly dtype, for arrays in bytes."""
 
 
-class Drawn(BaseFigure):
+class EncodedFigure(BaseFigure):
     """A finished figure, which Streamlit accepts as a Plotly figure; `to_dict` returns its dictionary."""
 
     def __init__(self, sent: dict[str, Any]) -> None:
@@ -100,7 +100,7 @@ class Drawn(BaseFigure):
         return self._sent
 
     def __repr__(self) -> str:
-        return f"Drawn({len(self._sent['data'])} traces)"
+        return f"EncodedFigure({len(self._sent['data'])} traces)"
 
 
 def legend(height: float = 1.02, orientation: str = "h") -> dict[str, Any]:
@@ -124,10 +124,10 @@ def note(name: str, color: str | None, x: float, y: float) -> dict[str, Any]:
     return words | {"x": float(x), "y": float(y), "xref": "x", "yref": "y"}
 
 
-def drawn(traces: Iterable[Mapping[str, Any]], layout: Mapping[str, Any]) -> Drawn:
+def encode_figure(traces: Iterable[Mapping[str, Any]], layout: Mapping[str, Any]) -> EncodedFigure:
     """Return a figure with these traces; NumPy arrays become Plotly's typed arrays, bytes in base 64."""
     data = [{name: _encode(value) for name, value in trace.items()} for trace in traces]
-    return Drawn({"data": data, "layout": dict(layout)})
+    return EncodedFigure({"data": data, "layout": dict(layout)})
 
 
 def line(x: Any, y: Any, **look: Any) -> dict[str, Any]:
@@ -161,11 +161,11 @@ _LETTERS = 26
 """The size of letters for Plotly's layout [px]; type.css does not change it, and projector.css sets 20 to 39 px."""
 
 
-def in_large_print(figure: BaseFigure) -> Drawn:
+def in_large_print(figure: BaseFigure) -> EncodedFigure:
     """Return the figure with room for large letters, at any height.
 
-    >>> from ramanujan.figures import drawn
-    >>> sent = drawn([], {"height": 620, "yaxis": {"title": {"text": "displacement relative to the block"}}})
+    >>> from ramanujan.figures import encode_figure
+    >>> sent = encode_figure([], {"height": 620, "yaxis": {"title": {"text": "displacement relative to the block"}}})
     >>> layout = in_large_print(sent).to_dict()["layout"]
     >>> layout["height"], layout["yaxis"]["title"]["text"]
     (400, 'displacement relative<br>to the block')
@@ -185,7 +185,7 @@ def in_large_print(figure: BaseFigure) -> Drawn:
         layout["legend"] = {**place, "font": {"size": _LETTERS}}
     margin_above = _MARGIN_WITH_WORDS if has_note_above else _MARGIN_ABOVE
     layout |= {"annotations": notes, "margin": {**layout.get("margin", {}), "t": margin_above}}
-    return Drawn({**sent, "layout": layout})
+    return EncodedFigure({**sent, "layout": layout})
 
 
 def _roomy_axis(axis: dict[str, Any], is_vertical: bool) -> dict[str, Any]:

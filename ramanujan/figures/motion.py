@@ -6,7 +6,7 @@ from typing import Any
 
 import numpy as np
 
-from ramanujan.figures import NO_NAME, Drawn, figure, horizontal_bars, legend, line
+from ramanujan.figures import NO_NAME, EncodedFigure, build_figure, horizontal_bars, legend, line
 from ramanujan.numerals import fixed, number
 from ramanujan.translation import _
 
@@ -53,7 +53,7 @@ class Panel:
     range: tuple[float, float]
 
 
-def time_panels(panels: Sequence[Panel], *, period: float, periods: int, colors: Mapping[str, str]) -> Drawn:
+def time_panels(panels: Sequence[Panel], *, period: float, periods: int, colors: Mapping[str, str]) -> EncodedFigure:
     """Draw panels above each other with one time axis that starts at release.
 
     Parameters
@@ -98,7 +98,7 @@ def time_panels(panels: Sequence[Panel], *, period: float, periods: int, colors:
 
 def phase_plane(
     orbits: Sequence[Curve], velocities: Sequence[np.ndarray], *, period: float, periods: int, colors: Mapping[str, str]
-) -> Drawn:
+) -> EncodedFigure:
     """Draw velocity against displacement for coordinates with one scale.
 
     Parameters
@@ -127,7 +127,7 @@ def phase_plane(
 
 def friction_bars(
     needed: Mapping[str, float], body_colors: Sequence[str], *, friction_coefficient: float, colors: Mapping[str, str]
-) -> Drawn:
+) -> EncodedFigure:
     """Draw the coefficient of static friction that each contact needs as a bar, and the present one as a line.
 
     Parameters
@@ -163,9 +163,11 @@ def roomy(arrays: Sequence[np.ndarray]) -> tuple[float, float]:
     return float(least - margin), float(most + margin)
 
 
-def _lay_out(traces: list[dict[str, Any]], colors: Mapping[str, str], *, height: int = _HEIGHT, **layout: Any) -> Drawn:
+def _lay_out(
+    traces: list[dict[str, Any]], colors: Mapping[str, str], *, height: int = _HEIGHT, **layout: Any
+) -> EncodedFigure:
     margin = {"t": _ABOVE, "b": _BELOW, "l": 64}
-    return figure(traces, colors, height + _BELOW + _ABOVE, margin=margin, uirevision="stay", **layout)
+    return build_figure(traces, colors, height + _BELOW + _ABOVE, margin=margin, uirevision="stay", **layout)
 
 
 def _axis(title: str, ends: tuple[float, float], **more: Any) -> dict[str, Any]:

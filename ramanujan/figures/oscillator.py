@@ -6,7 +6,7 @@ from typing import Any
 
 import numpy as np
 
-from ramanujan.figures import MASS_RATIO, NORMALIZED, Drawn, figure, line, marks, note
+from ramanujan.figures import MASS_RATIO, NORMALIZED, EncodedFigure, build_figure, line, marks, note
 from ramanujan.translation import _
 
 
@@ -48,7 +48,7 @@ _INSET_ACROSS, _INSET_UP = (0.04, 0.5), (0.16, 0.61)
 """The horizontal and vertical domain of the inset, below the curve, in fractions of the panel."""
 
 
-def frequency_curve(curve: Curve, colors: Mapping[str, str]) -> Drawn:
+def frequency_curve(curve: Curve, colors: Mapping[str, str]) -> EncodedFigure:
     """Draw Ω²m/k against ε: the curve, its two limits, and an inset around the marked ratios.
 
     On the page, a moving ring in panel and inset marks the current machine.
@@ -168,7 +168,7 @@ def draw_over_ratios(
     colors: Mapping[str, str],
     ratio_axis: Mapping[str, Any],
     **more: Any,
-) -> Drawn:
+) -> EncodedFigure:
     """Return a figure of Ω²m/k against the mass ratio.
 
     Parameters
@@ -180,7 +180,7 @@ def draw_over_ratios(
     """
     upward = {"title": {"text": NORMALIZED}, "range": [0, highest], "fixedrange": True}
     across = {"title": {"text": MASS_RATIO}, "fixedrange": True, **ratio_axis}
-    return figure(traces, colors, 384, hover, xaxis=across, yaxis=upward, **more)
+    return build_figure(traces, colors, 384, hover, xaxis=across, yaxis=upward, **more)
 
 
 def arrow_label(mark: Mark, offset: tuple[float, float], side: str, colors: Mapping[str, str]) -> dict[str, Any]:

@@ -6,7 +6,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from ramanujan.figures import Drawn, figure, legend, line, logarithmic, marks, note
+from ramanujan.figures import EncodedFigure, build_figure, legend, line, logarithmic, marks, note
 from ramanujan.figures.logarithmic import Colors, axis, level_line, log_axis, method_look, within
 from ramanujan.numerals import number
 from ramanujan.translation import _, ngettext
@@ -63,7 +63,7 @@ def error_growth(
     exact: tuple[np.ndarray, np.ndarray],
     names: Sequence[str],
     colors: Colors,
-) -> Drawn:
+) -> EncodedFigure:
     """Draw the energy error above, the phase error below, against the number of periods; all axes logarithmic.
 
     Parameters
@@ -115,7 +115,7 @@ def error_growth(
         low_end, _high_end = drawn_axis["range"]
         shapes.append(_gray_band(low_end, low, colors) | {"yref": name_of_axis})
         axes[f"yaxis{name_of_axis[1:]}"] = drawn_axis | place
-    return figure(traces, colors, _HIGH + 64, margin=_MARGIN, shapes=shapes, **legend(), **axes)
+    return build_figure(traces, colors, _HIGH + 64, margin=_MARGIN, shapes=shapes, **legend(), **axes)
 
 
 def _gray_band(low: float, high: float, colors: Colors) -> dict[str, Any]:
@@ -125,15 +125,33 @@ def _gray_band(low: float, high: float, colors: Colors) -> dict[str, Any]:
     return gray | ends
 
 
+@dataclass(frozen=True)
+class MarkedRun:
+    """A run with a large mark in a work-precision diagram.
+
+    Parameters
+    ----------
+    cost, error : position of the mark
+    symbol, size : Plotly's name of the mark, and its size [px]
+    color : key of the theme's colours
+    """
+
+    cost: float
+    error: float
+    symbol: str
+    size: int
+    color: str
+
+
 def work_precision(
     curves: Mapping[tuple[str, str], Curve],
     *,
     titles: tuple[str, str],
     tolerance: float,
-    singled: Mapping[str, tuple[float, float, str, int, str]],
+    marked_runs: Mapping[str, MarkedRun],
     tried: Sequence[tuple[float, float]] = (),
     colors: Colors,
-) -> Drawn:
+) -> EncodedFigure:
     """Draw error against cost, both logarithmic: solid with filled marks in float64, dotted with open ones in float32.
 
     Parameters
@@ -141,30 +159,30 @@ def work_precision(
     curves : name of the method and its precision → cost, error and steps per period of each run
     titles : of the cost axis and of the error axis
     tolerance : the largest error allowed
-    singled : name → cost and error of a run that is marked, symbol, size and colour of its mark
+    marked_runs : name in the legend → a run with a large mark
     tried : cost and error of runs with a small mark
     colors : the theme's
     """
     hover = _("cost {cost}, error {error}").format(cost="%{customdata[0]}", error="%{customdata[1]}") + _NAMED
     errors = [error for _cost, error, _steps in curves.values()]
-    marked_errors = [error for _cost, error, *_look in singled.values()]
+    marked_errors = [run.error for run in marked_runs.values()]
     shown = logarithmic.shown_range([*errors, np.array([tolerance, *marked_errors])], (1e-17, 1e3))
     traces = _method_curves(curves, shown, hover, colors)
     for cost, error in tried:
         mark = marks([cost], [error], "diamond-open", 11, colors["ink"], width=2)
         traces.append(mark | {"customdata": _points([cost], [error]), "hovertemplate": hover, "showlegend": False})
     lowest, _highest = shown
-    for name, (cost, error, symbol, size, color) in singled.items():
-        mark = marks([cost], [max(error, lowest)], symbol, size, colors[color], width=3)
-        traces.append(mark | {"name": name, "customdata": _points([cost], [error]), "hovertemplate": hover})
+    for name, run in marked_runs.items():
+        mark = marks([run.cost], [max(run.error, lowest)], run.symbol, run.size, colors[run.color], width=3)
+        traces.append(mark | {"name": name, "customdata": _points([run.cost], [run.error]), "hovertemplate": hover})
     costs: list[float] = [cost for cost, _error in tried]
-    costs += [cost for cost, _error, _symbol, _size, _color in singled.values()]
+    costs += [run.cost for run in marked_runs.values()]
     for costs_of_method, _error, _steps in curves.values():
         costs += [costs_of_method[0], costs_of_method[-1]]
     ends = min(costs), max(costs)
     traces.append(level_line(ends, tolerance, _("largest error allowed"), colors))
     x_range = float(np.log10(ends[0])) - 0.1, float(np.log10(ends[1])) + 0.1
-    return figure(
+    return build_figure(
         traces,
         colors,
         544,
@@ -201,7 +219,7 @@ def _method_curves(
     return traces
 
 
-def forms(strips: Mapping[str, Sequence[Part]], *, quantity: str, colors: Colors) -> Drawn:
+def forms(strips: Mapping[str, Sequence[Part]], *, quantity: str, colors: Colors) -> EncodedFigure:
     """Draw a strip for each form of Ω², divided into the ranges where the form is right, and where it fails.
 
     Parameters
@@ -243,10 +261,12 @@ def forms(strips: Mapping[str, Sequence[Part]], *, quantity: str, colors: Colors
     hidden = {"visible": False, "range": [len(strips) - 0.65, -0.8], "fixedrange": True}
     x_axis = logarithmic.power_axis(quantity, start, end) | {"showgrid": False}
     height = 76 + _STRIP * len(strips)
-    return figure([bars], colors, height, margin=_MARGIN | {"l": 28}, xaxis=x_axis, yaxis=hidden, annotations=notes)
+    return build_figure(
+        [bars], colors, height, margin=_MARGIN | {"l": 28}, xaxis=x_axis, yaxis=hidden, annotations=notes
+    )
 
 
-def phase_errors(periods: Sequence[float], curves: Mapping[str, Sequence[float]], colors: Colors) -> Drawn:
+def phase_errors(periods: Sequence[float], curves: Mapping[str, Sequence[float]], colors: Colors) -> EncodedFigure:
     """Draw the phase error against the number of periods for each method; both axes logarithmic.
 
     Parameters
@@ -272,7 +292,7 @@ def phase_errors(periods: Sequence[float], curves: Mapping[str, Sequence[float]]
     x_range = float(np.log10(periods[0])), float(np.log10(periods[-1]))
     x_axis = axis(_("periods"), x_range, type="log", dtick=3)
     y_axis = log_axis(_("phase error [rad]"), (1e-17, 200.0))
-    return figure(traces, colors, 384, margin=_MARGIN, xaxis=x_axis, yaxis=y_axis, **legend(orientation="v"))
+    return build_figure(traces, colors, 384, margin=_MARGIN, xaxis=x_axis, yaxis=y_axis, **legend(orientation="v"))
 
 
 def _points(x: Iterable[float], y: Iterable[float]) -> list[list[str]]:

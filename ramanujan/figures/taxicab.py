@@ -5,7 +5,7 @@ from typing import Any
 
 import numpy as np
 
-from ramanujan.figures import NO_NAME, NORMALIZED, Drawn, figure, horizontal_bars, line, marks, note
+from ramanujan.figures import NO_NAME, NORMALIZED, EncodedFigure, build_figure, horizontal_bars, line, marks, note
 from ramanujan.figures.oscillator import Mark, arrow_label, draw_over_ratios
 from ramanujan.translation import _
 
@@ -20,7 +20,7 @@ def level_crossing(
     root_label: str,
     present: tuple[float, float],
     colors: Mapping[str, str],
-) -> Drawn:
+) -> EncodedFigure:
     """Draw Ω²m/k against ε, the target level, and the one mass ratio at which the curve has that value.
 
     Parameters
@@ -65,7 +65,7 @@ def machine_grid(
     ways: Sequence[int],
     chosen: tuple[int, int],
     colors: Mapping[str, str],
-) -> Drawn:
+) -> EncodedFigure:
     """Draw the discriminants of all machines as a clickable table; sums of two cubes are highlighted.
 
     Parameters
@@ -108,7 +108,7 @@ def machine_grid(
     around = {"x0": column - 0.49, "x1": column + 0.49, "y0": row - 0.47, "y1": row + 0.47}
     plain = {"showgrid": False, "showline": False, "ticks": "", "fixedrange": True}
     across = {"ticktext": columns, "range": [-0.55, len(columns) - 0.45], "side": "top", "title": {"text": _("on top")}}
-    return figure(
+    return build_figure(
         [table, clickable],
         colors,
         48 + 40 * len(rows),
@@ -124,7 +124,9 @@ def _pairs_axis(pairs: Sequence[str]) -> dict[str, Any]:
     return {"tickvals": list(range(len(pairs))), "ticktext": list(pairs), "range": [len(pairs) - 0.4, -0.6]}
 
 
-def cube_counts(pairs: Sequence[str], counts: Sequence[int], highlighted: int, colors: Mapping[str, str]) -> Drawn:
+def cube_counts(
+    pairs: Sequence[str], counts: Sequence[int], highlighted: int, colors: Mapping[str, str]
+) -> EncodedFigure:
     """Draw, for each pair of lower rollers, how many discriminants are sums of two cubes.
 
     Parameters
@@ -136,7 +138,7 @@ def cube_counts(pairs: Sequence[str], counts: Sequence[int], highlighted: int, c
     tones = [colors["primary"] if n == highlighted else colors["block"] for n in range(len(pairs))]
     hover = _("{lower} below: {number}").format(lower="%{customdata}", number="%{x}") + NO_NAME
     bars = horizontal_bars(counts, range(len(pairs)), counts, {"color": tones})
-    return figure(
+    return build_figure(
         [bars | {"customdata": list(pairs), "hovertemplate": hover}],
         colors,
         336,

@@ -7,7 +7,7 @@
     classes     the votes of a class, with its codes (class_codes), states (class_states) and file (class_record)
 
 >>> from ramanujan import lesson
->>> lesson.stop("stiffness").answer()
+>>> lesson.find_stop("stiffness").answer()
 'same'
 """
 
@@ -19,7 +19,7 @@ from ramanujan.translation import _
 CHAPTERS = (clocks.STOPS, bodies.STOPS, modes.STOPS, ratio.STOPS, computing.STOPS)
 """The stops by subject. Stops of one chapter answer each other, so a worksheet has at most one of each."""
 
-STOPS: tuple[Stop, ...] = tuple(stop for chapter in CHAPTERS for stop in chapter)
+STOPS: tuple[Stop, ...] = tuple(find_stop for chapter in CHAPTERS for find_stop in chapter)
 """All stops, in the order of the lesson."""
 
 TASKS: tuple[Task, ...] = (*machine_tasks.TASKS, *answer_tasks.TASKS)
@@ -43,16 +43,16 @@ INTRODUCTION = _(
 """The beginning of the lecturer's notes, before the notes on each stop."""
 
 
-def stop(name: str) -> Stop:
+def find_stop(name: str) -> Stop:
     """Return the stop with this id."""
-    return {stop.id: stop for stop in STOPS}[name]
+    return {find_stop.id: find_stop for find_stop in STOPS}[name]
 
 
 def has_stop(name: str) -> bool:
     """Return whether this version of the app has a stop with this id."""
-    return any(stop.id == name for stop in STOPS)
+    return any(find_stop.id == name for find_stop in STOPS)
 
 
-def task(name: str) -> Task:
+def find_task(name: str) -> Task:
     """Return the task with this id."""
-    return {task.id: task for task in TASKS}[name]
+    return {find_task.id: find_task for find_task in TASKS}[name]

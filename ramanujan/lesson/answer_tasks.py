@@ -23,7 +23,7 @@ TOO_FAST = 0.7
 """The stage shows a shorter period in slow motion, so a stopwatch cannot measure it [s]."""
 
 
-def half_energy(attempt: Attempt) -> TaskVerdict:
+def judge_half_energy(attempt: Attempt) -> TaskVerdict:
     """Judge the spring's share of the energy after a part of a period."""
     if attempt.part is None or not 0 <= attempt.part <= 1:
         return TaskVerdict(False, _("Type a number between 0 and 1, such as 0.3 or 1/3."), is_judged=False)
@@ -38,7 +38,7 @@ def half_energy(attempt: Attempt) -> TaskVerdict:
     return compare_with_goal(share - 0.5, HALF, sentences, "%", share=share if share > NOTHING else _("none"))
 
 
-def measured_period(attempt: Attempt) -> TaskVerdict:
+def judge_measured_period(attempt: Attempt) -> TaskVerdict:
     """Judge a measurement of the period with a stopwatch."""
     period = attempt.machine.period
     if period < TOO_FAST:
@@ -55,7 +55,7 @@ def measured_period(attempt: Attempt) -> TaskVerdict:
     return compare_with_goal(measured / period - 1, STOPWATCH, sentences, "%", measured=measured)
 
 
-def exact_ratio(attempt: Attempt) -> TaskVerdict:
+def judge_exact_ratio(attempt: Attempt) -> TaskVerdict:
     """Judge a formula for the mass ratio with `answers.judge`."""
     if not attempt.formula.strip():
         return TaskVerdict(False, _("Type a formula, such as (sqrt(5) − 1)/2."), is_judged=False)
@@ -75,7 +75,7 @@ def run_all_integrators() -> tuple[WorkPrecision, ...]:
     return tuple(work_precision(method, periods=PERIODS, error_kind="phase") for method in METHODS)
 
 
-def cheapest(attempt: Attempt) -> TaskVerdict:
+def judge_cheapest(attempt: Attempt) -> TaskVerdict:
     """Judge a method and its number of steps: the error first, then the cost."""
     chosen = run_integrator(attempt.method, attempt.steps)
     error, cost = chosen.error.item(), chosen.evaluations.item()
@@ -97,7 +97,7 @@ def cheapest(attempt: Attempt) -> TaskVerdict:
     return compare_with_goal(cost - fewest, 0, sentences, error=error, cost=cost, times=cost / fewest)
 
 
-def two_cubes(attempt: Attempt) -> TaskVerdict:
+def judge_two_cubes(attempt: Attempt) -> TaskVerdict:
     """Judge a choice of bodies: its discriminant must be a sum of two cubes, and not the paper's 1729."""
     choice = BodyChoice(*attempt.bodies)
     value = choice.discriminant
@@ -123,10 +123,12 @@ def _distance_to_sum_of_cubes(value: int) -> int:
 
 TASKS = (
     Task(
-        "half-energy",
-        _("Half of the energy"),
-        _("After which part of a period does the spring hold half of the energy? Type it as a number or a fraction."),
-        (
+        id="half-energy",
+        heading=_("Half of the energy"),
+        text=_(
+            "After which part of a period does the spring hold half of the energy? Type it as a number or a fraction."
+        ),
+        hints=(
             _("At release the spring holds all of the energy. A quarter of a period later it holds none."),
             _(
                 "The spring’s energy is proportional to the square of its compression, and the compression follows a "
@@ -134,43 +136,43 @@ TASKS = (
             ),
             _("Where is cos² equal to ½?"),
         ),
-        half_energy,
+        judge=judge_half_energy,
         fields=("part",),
         hides=("energy", *FREQUENCY),
     ),
     Task(
-        "period",
-        _("The period, by hand"),
-        _("Can you measure the period of the machine to one percent with the stopwatch?"),
-        (
+        id="period",
+        heading=_("The period, by hand"),
+        text=_("Can you measure the period of the machine to one percent with the stopwatch?"),
+        hints=(
             _("The slab is at rest for an instant at its turning points. They are easy to see."),
             _("Your reaction time spoils a single period. Measure ten of them."),
             _("Say “zero” when you start the stopwatch, then count. Stop it at “ten”."),
         ),
-        measured_period,
+        judge=judge_measured_period,
         fields=("seconds", "periods"),
         hides=FREQUENCY,
     ),
     Task(
-        "exact-ratio",
-        _("The exact ratio"),
-        _("For which mass ratio ε = m′/m is Ω² = k/m? Type the exact number, with a root."),
-        (
+        id="exact-ratio",
+        heading=_("The exact ratio"),
+        text=_("For which mass ratio ε = m′/m is Ω² = k/m? Type the exact number, with a root."),
+        hints=(
             _("Set Ω²m/k equal to 1 and multiply by the denominator."),
             _("Solve the quadratic equation for ε. Only one of its roots is positive."),
         ),
-        exact_ratio,
+        judge=judge_exact_ratio,
         fields=("formula",),
         hides=FREQUENCY,
     ),
     Task(
-        "cheapest",
-        _("The cheapest integrator"),
-        _(
+        id="cheapest",
+        heading=_("The cheapest integrator"),
+        text=_(
             "A computed machine has to stay within {within} of a turn of the exact one for {periods} periods. Can you "
             "do it with as few evaluations of the force as possible?"
         ).format(within=number(WITHIN, 1), periods=PERIODS),
-        (
+        hints=(
             _("A method of higher order costs more per step but needs fewer steps."),
             _(
                 "For each method, find the smallest number of steps that is accurate enough. Then compare the "
@@ -178,18 +180,18 @@ TASKS = (
             ),
             _("The work–precision diagram on the page Speed and accuracy shows which method wins."),
         ),
-        cheapest,
+        judge=judge_cheapest,
         fields=("method", "steps"),
         stage=False,
     ),
     Task(
-        "two-cubes",
-        _("Another sum of two cubes"),
-        _(
+        id="two-cubes",
+        heading=_("Another sum of two cubes"),
+        text=_(
             "Every choice of bodies has its own number under the root. Can you find a machine other than the paper’s "
             "whose number is a sum of two positive cubes?"
         ),
-        (
+        hints=(
             filled(
                 _("Of all {machines} choices, {cubes:alone} have this property, the paper’s included."),
                 machines=len(machines()),
@@ -198,7 +200,7 @@ TASKS = (
             _("Try a machine with a spherical shell in it."),
             _("One of them has two solid spheres below."),
         ),
-        two_cubes,
+        judge=judge_two_cubes,
         fields=("bodies",),
         stage=False,
     ),

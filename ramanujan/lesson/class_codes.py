@@ -14,7 +14,7 @@ SECRET_BYTES, VOTER_BYTES = 24, 9
 _LONGEST = 60
 
 
-def new_code() -> str:
+def generate_code() -> str:
     """Return an unpredictable code."""
     return "".join(secrets.choice(ALPHABET) for _ in range(LETTERS))
 
@@ -29,7 +29,7 @@ def read_code(text: str, letters: int = LETTERS) -> str | None:
     return code if len(code) == letters and set(code) <= set(ALPHABET) else None
 
 
-def first_foreign_letter(text: str) -> str:
+def find_foreign_letter(text: str) -> str:
     """Return the first letter or digit of a typed code that is not in `ALPHABET`.
 
     The result is empty if there is none, or if the text does not have the length of a code.

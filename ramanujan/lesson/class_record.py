@@ -14,7 +14,7 @@ from ramanujan.translation import _, pgettext
 HEADER = ("stop", "question", "asked_at", "present", "option", "label", "right", "first_vote", "second_vote")
 
 
-def as_csv(results: Iterable[ClassResult]) -> str:
+def write_csv(results: Iterable[ClassResult]) -> str:
     """Return the results of a class as CSV for programs, with one row for each option.
 
     Times are UTC. `second_vote` is empty if the class voted once.
@@ -30,7 +30,7 @@ def as_csv(results: Iterable[ClassResult]) -> str:
     return text.getvalue()
 
 
-def as_spreadsheet(results: Iterable[ClassResult]) -> str:
+def write_spreadsheet(results: Iterable[ClassResult]) -> str:
     """Return the results of a class as a file for a spreadsheet, with one row for each option."""
     header = (
         pgettext("of the lesson", "Stop"),
@@ -76,7 +76,7 @@ def _rows(results: Iterable[ClassResult]) -> Iterator[_Row]:
     """
     for result in results:
         at = datetime.fromtimestamp(result.at, UTC)
-        stop = lesson.stop(result.stop) if lesson.has_stop(result.stop) else None
+        stop = lesson.find_stop(result.stop) if lesson.has_stop(result.stop) else None
         for option, first in result.first.items():
             yield _Row(
                 stop=result.stop,

@@ -108,9 +108,9 @@ class Classes:
                 removed = execute(_REMOVE_UNUSED).rowcount
                 if not removed:
                     raise ClassError(_("This server has no room for another class at the moment. Try again later."))
-            code = class_codes.new_code()
+            code = class_codes.generate_code()
             while _count_rows(execute, "class WHERE code = ?", code):
-                code = class_codes.new_code()
+                code = class_codes.generate_code()
             execute(
                 "INSERT INTO class (code, key_hash, expires, opened, network, was_joined) VALUES (?, ?, ?, ?, ?, 0)",
                 (code, class_codes.hash_secret(secret), now + lifetime, now, network),
@@ -211,7 +211,7 @@ class Classes:
             if (stop, second_vote) in present_at:
                 second = self._count_votes(code, stop, second_vote, options)
                 present = present_at[stop, second_vote]
-            results.append(ClassResult(stop, at, present, first, second))
+            results.append(ClassResult(stop=stop, at=at, present=present, first=first, second=second))
         return results
 
     def seats(self, key: str) -> Seats:
@@ -338,7 +338,14 @@ class Classes:
         if not rows:
             raise ClassError(_("The class has ended."))
         stop, asking, number, phase, reached, answered, present = rows[0]
-        return ClassQuestion(stop, Vote(asking, number), Phase(phase), Phase(reached), answered, present)
+        return ClassQuestion(
+            stop=stop,
+            vote=Vote(asking, number),
+            phase=Phase(phase),
+            reached=Phase(reached),
+            answered=answered,
+            present=present,
+        )
 
     def last_state(self, code: str, stop: str) -> ClassQuestion | None:
         """Return the last state of an earlier question, without its numbers of students; None if it was never asked."""
@@ -498,7 +505,7 @@ def _read_current(execute: _Execute, code: str) -> tuple[str, Vote, str, Phase]:
 
 def _explain_wrong_code(text: str) -> str:
     """Return a sentence about the error in a text that is not a code."""
-    letter = class_codes.first_foreign_letter(text)
+    letter = class_codes.find_foreign_letter(text)
     if letter:
         sentence = _("No class code contains {letter}. Look at the projector and type the code again.")
         return sentence.format(letter=letter)

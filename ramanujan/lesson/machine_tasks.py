@@ -34,7 +34,7 @@ _CONTACTS = {
 }
 
 
-def in_step(attempt: Attempt) -> TaskVerdict:
+def judge_in_step(attempt: Attempt) -> TaskVerdict:
     """Judge |Ω²m/k − 1|."""
     value = attempt.machine.normalized_frequency_squared
     sentences = (
@@ -45,7 +45,7 @@ def in_step(attempt: Attempt) -> TaskVerdict:
     return compare_with_goal(value - 1, IN_STEP, sentences, value=value, goal=IN_STEP)
 
 
-def nine_eighths(attempt: Attempt) -> TaskVerdict:
+def judge_nine_eighths(attempt: Attempt) -> TaskVerdict:
     """Judge |Ω²m/k − 9/8| with a tolerance that only a fraction meets, typed into the box of m′."""
     value = attempt.machine.normalized_frequency_squared
     off = abs(value - NINE_EIGHTHS)
@@ -60,7 +60,7 @@ def nine_eighths(attempt: Attempt) -> TaskVerdict:
     )
 
 
-def half_way(attempt: Attempt) -> TaskVerdict:
+def judge_half_way(attempt: Attempt) -> TaskVerdict:
     """Judge the slab's share of the compression when the spring is relaxed, relative to the ground."""
     machine = attempt.machine
     q, _q_dot = state_after(np.array([0, 1 / 4]), machine, attempt.compression)
@@ -75,7 +75,7 @@ def half_way(attempt: Attempt) -> TaskVerdict:
     return compare_with_goal(2 * share - 1, HALF_WAY, sentences, "%", slab=share, block=1 - share)
 
 
-def parting(attempt: Attempt) -> TaskVerdict:
+def judge_parting(attempt: Attempt) -> TaskVerdict:
     """Judge the number of periods of the plain mass until the hands are one full turn apart."""
     gained = abs(math.sqrt(attempt.machine.normalized_frequency_squared) - 1)
     periods = 1 / gained if gained else math.inf
@@ -91,7 +91,7 @@ def parting(attempt: Attempt) -> TaskVerdict:
     return compare_with_goal(periods - PARTING, PARTING * PARTING_TOLERANCE, sentences, periods=periods)
 
 
-def two_seconds(attempt: Attempt) -> TaskVerdict:
+def judge_two_seconds(attempt: Attempt) -> TaskVerdict:
     """Judge the period."""
     period = attempt.machine.period
     sentences = (
@@ -102,7 +102,7 @@ def two_seconds(attempt: Attempt) -> TaskVerdict:
     return compare_with_goal(period - PERIOD, PERIOD * PERIOD_TOLERANCE, sentences, "s", period=period)
 
 
-def no_slip(attempt: Attempt) -> TaskVerdict:
+def judge_no_slip(attempt: Attempt) -> TaskVerdict:
     """Judge whether x₀ is just below the largest compression without slip, for μ = `FRICTION`."""
     machine = attempt.machine
     spacing = drawn_spacing(machine.radius)
@@ -116,7 +116,7 @@ def no_slip(attempt: Attempt) -> TaskVerdict:
     return compare_with_goal(room, CLOSE, sentences, "cm")
 
 
-def top_at_rest(attempt: Attempt) -> TaskVerdict:
+def judge_top_at_rest(attempt: Attempt) -> TaskVerdict:
     """Judge the largest displacement of the top cylinder relative to the ground while the block moves."""
     machine = attempt.machine
     initial = with_initial_velocities(machine, attempt.release, attempt.glide, attempt.spin)
@@ -138,10 +138,10 @@ def top_at_rest(attempt: Attempt) -> TaskVerdict:
 
 TASKS = (
     Task(
-        "in-step",
-        _("In step to a thousandth"),
-        _("Can you set the masses so that Ω²m/k differs from 1 by at most a thousandth?"),
-        (
+        id="in-step",
+        heading=_("In step to a thousandth"),
+        text=_("Can you set the masses so that Ω²m/k differs from 1 by at most a thousandth?"),
+        hints=(
             _("Heavier lower rollers make the machine slower."),
             _("At ε = 1 it is too fast. Increase m′ a little and watch Ω²m/k."),
             _("The goal lies between ε = {low} and ε = {high}.").format(
@@ -149,13 +149,13 @@ TASKS = (
                 high=number(math.ceil(100 * UNIT_MASS_RATIO) / 100, 3),
             ),
         ),
-        in_step,
+        judge=judge_in_step,
     ),
     Task(
-        "nine-eighths",
-        _("Nine eighths"),
-        _("Can you make Ω²m/k exactly 9/8? The boxes of the sliders take fractions such as 9/7."),
-        (
+        id="nine-eighths",
+        heading=_("Nine eighths"),
+        text=_("Can you make Ω²m/k exactly 9/8? The boxes of the sliders take fractions such as 9/7."),
+        hints=(
             _("9/8 is larger than the value at equal masses, so the rollers must be lighter."),
             _(
                 "The page Derivation shows Ω² as a fraction of polynomials in m and m′. Set m = 1 and solve Ω²/k = 9/8 "
@@ -163,13 +163,13 @@ TASKS = (
             ),
             filled(_("m′/m is a fraction with the denominator {ratio.denominator}."), ratio=_FRACTION),
         ),
-        nine_eighths,
+        judge=judge_nine_eighths,
     ),
     Task(
-        "two-seconds",
-        _("A period of two seconds"),
-        _("Can you give the machine a period of two seconds, to a thousandth?"),
-        (
+        id="two-seconds",
+        heading=_("A period of two seconds"),
+        text=_("Can you give the machine a period of two seconds, to a thousandth?"),
+        hints=(
             _("A softer spring makes the period longer."),
             _("The period is proportional to 1/√k. By which factor must it change?"),
             _(
@@ -177,56 +177,56 @@ TASKS = (
                 "the box of k."
             ),
         ),
-        two_seconds,
+        judge=judge_two_seconds,
     ),
     Task(
-        "parting",
-        _("One full turn in ten periods"),
-        _("Can you make the hands part by one full turn in ten periods of the plain mass, to one percent?"),
-        (
+        id="parting",
+        heading=_("One full turn in ten periods"),
+        text=_("Can you make the hands part by one full turn in ten periods of the plain mass, to one percent?"),
+        hints=(
             _("There are two solutions: the machine may be faster or slower."),
             _("In one period the hands must part by a tenth of a turn. By which factor must Ω differ from √(k/m)?"),
             filled(_("Look for Ω²m/k = {fast:3} or {slow:2} on the curve of the page Oscillator."), **_PARTED),
         ),
-        parting,
+        judge=judge_parting,
     ),
     Task(
-        "half-way",
-        _("Equally far"),
-        _(
+        id="half-way",
+        heading=_("Equally far"),
+        text=_(
             "After the release, the compressed spring pushes slab and block apart until it is relaxed. Can you make "
             "both move equally far relative to the ground, to one percent?"
         ),
-        (
+        hints=(
             _("The momentum of the machine is zero. Which other bodies carry momentum?"),
             _("The centres of the lower rollers move a little in the slab’s direction. Make them stand still."),
             _("The heavier the lower rollers, the less they move. How large can ε become with these sliders?"),
         ),
-        half_way,
+        judge=judge_half_way,
         hides=("numbers",),
     ),
     Task(
-        "no-slip",
-        _("As far as friction allows"),
-        _(
+        id="no-slip",
+        heading=_("As far as friction allows"),
+        text=_(
             "Every contact has the coefficient of static friction μ = {mu}. Can you set the largest x₀, to a "
             "millimetre, from which every contact rolls?"
         ).format(mu=number(FRICTION, 2)),
-        (
+        hints=(
             _("The friction that a contact needs is proportional to x₀."),
             _("If even the largest x₀ does not slip, take a stiffer spring."),
             _("The page Motion shows the friction that each contact needs, and compares it with μ."),
         ),
-        no_slip,
+        judge=judge_no_slip,
     ),
     Task(
-        "top-at-rest",
-        _("A cylinder that stays behind"),
-        _(
+        id="top-at-rest",
+        heading=_("A cylinder that stays behind"),
+        text=_(
             "Can you let the block move for ever while the top cylinder’s centre stays at rest relative to the ground? "
             "Choose how the machine starts."
         ),
-        (
+        hints=(
             _("As long as the spring oscillates, the block shakes the top cylinder. Can the spring be relaxed?"),
             _("Give the whole machine an initial velocity. Which spin of the top cylinder makes up for it?"),
             _(
@@ -234,7 +234,7 @@ TASKS = (
                 "velocities must be zero."
             ),
         ),
-        top_at_rest,
+        judge=judge_top_at_rest,
         fields=("release", "glide", "spin"),
         hides=(*FREQUENCY, "energy"),
     ),

@@ -45,7 +45,7 @@ class _Drawing(NamedTuple):
     letters: list[_Letter]
 
 
-def machine_svg(machine: Oscillator, compression: float, colors: Mapping[str, str]) -> str:
+def draw_svg(machine: Oscillator, compression: float, colors: Mapping[str, str]) -> str:
     """Return the machine with its symbols as SVG.
 
     Parameters
@@ -71,7 +71,7 @@ def machine_svg(machine: Oscillator, compression: float, colors: Mapping[str, st
     return "".join((head, *parts, "</svg>"))
 
 
-def machine_tikz(machine: Oscillator, compression: float, colors: Mapping[str, str]) -> str:
+def draw_tikz(machine: Oscillator, compression: float, colors: Mapping[str, str]) -> str:
     r"""Return the same picture as TikZ, for a document with \usepackage{tikz} and \usetikzlibrary{svg.path}.
 
     Parameters

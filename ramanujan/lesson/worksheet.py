@@ -64,7 +64,7 @@ class WorksheetQuestion:
         return self.space // 2
 
 
-def questions(machine: Oscillator, seed: str, level: int = 1) -> tuple[WorksheetQuestion, ...]:
+def make_questions(machine: Oscillator, seed: str, level: int = 1) -> tuple[WorksheetQuestion, ...]:
     """Return the questions of a worksheet.
 
     Parameters
@@ -83,11 +83,11 @@ def questions(machine: Oscillator, seed: str, level: int = 1) -> tuple[Worksheet
     # Stops of one chapter answer each other, so each selected chapter contributes one.
     selected = sorted(source.sample(range(len(chapters)), _STOPS))
     stops = [source.choice(chapters[i]) for i in selected]
-    predictions = [_prediction(stop, source) for stop in stops]
-    return (*predictions, *derivation(level), *_calculations(machine, source.choice(_TARGETS)))
+    predictions = [_make_prediction(stop, source) for stop in stops]
+    return (*predictions, *make_derivation(level), *_make_calculations(machine, source.choice(_TARGETS)))
 
 
-def derivation(level: int) -> tuple[WorksheetQuestion, ...]:
+def make_derivation(level: int) -> tuple[WorksheetQuestion, ...]:
     """Return the steps to Ω² by Lagrange’s equations as questions, with blanks for this level."""
     return tuple(_guided_step(step, level) for step in ROUTES["euler_lagrange"].steps if step.key in _STEPS)
 
@@ -122,7 +122,7 @@ def set_in_a_row(formulas: Sequence[str]) -> str:
     return "\u2003 ".join(f"$$\\displaystyle {formula}$$" for formula in unbroken)
 
 
-def _prediction(stop: Stop, source: random.Random) -> WorksheetQuestion:
+def _make_prediction(stop: Stop, source: random.Random) -> WorksheetQuestion:
     """Return a stop as a question with its options in random order."""
     shown = source.sample(list(stop.options), len(stop.options))
     letters = dict(zip(shown, string.ascii_uppercase, strict=False))
@@ -133,7 +133,7 @@ def _prediction(stop: Stop, source: random.Random) -> WorksheetQuestion:
     )
 
 
-def _calculations(machine: Oscillator, target: Fraction) -> tuple[WorksheetQuestion, ...]:
+def _make_calculations(machine: Oscillator, target: Fraction) -> tuple[WorksheetQuestion, ...]:
     """Return the questions about this machine, with exact answers.
 
     The number of lines is fixed for each question, so that its points do not depend on the length of the numbers.
@@ -185,11 +185,11 @@ def _calculations(machine: Oscillator, target: Fraction) -> tuple[WorksheetQuest
             working=(f"\\frac{{\\Omega}}{{\\sqrt{{k/m}}}}=\\sqrt{{{latex(normalized)}}}",),
             space=4,
         ),
-        _target_question(target),
+        _make_target_question(target),
     )
 
 
-def _target_question(target: Fraction) -> WorksheetQuestion:
+def _make_target_question(target: Fraction) -> WorksheetQuestion:
     """Return the question about the mass ratio at which Ω²m/k has a target value."""
     formula = unit_frequency_condition().normalized_frequency_squared
     a, b, c = BodyChoice(target=target).quadratic

@@ -8,7 +8,7 @@ import streamlit as st
 import sympy as sp
 
 from ramanujan import Oscillator
-from ramanujan.answers import QUESTIONS, question
+from ramanujan.answers import QUESTIONS, find_question
 from ramanujan.answers.questions import Question
 from ramanujan.derivation import ROUTES, Route, Step
 from ramanujan.derivation.energies import belongs_to, symbols_of_part, terms_by_part
@@ -20,7 +20,7 @@ from ramanujan.derivation.order import InOrder
 from ramanujan.derivation.printers import apply_color
 from ramanujan.derivation.remarks import conserved_momenta
 from ramanujan.derivation.rows import Row, TermCommand, align_for_phone, row, rows
-from ramanujan.lesson.picture import machine_tikz
+from ramanujan.lesson.picture import draw_tikz
 from ramanujan.shell import theme
 from ramanujan.shell.cache import responsive, route
 from ramanujan.shell.formulas import ROOM, typeset_beside_machine
@@ -69,7 +69,7 @@ def all_routes() -> list[Route]:
 def questions_of_step(name: str, number: int) -> tuple[str, ...]:
     """Return the questions that a step of a route, counted from 0, answers for the first time."""
     step = route(name).steps[number]
-    return tuple(each for each in QUESTIONS if _answering_step(name, question(each)) is step)
+    return tuple(each for each in QUESTIONS if _answering_step(name, find_question(each)) is step)
 
 
 def _answering_step(name: str, question: Question) -> Step | None:
@@ -133,7 +133,7 @@ def document(
     chosen_route = route(name, equal_masses and kind != "notebook")
     if drawn and kind in ("slides", "step"):
         radius, compression = drawn
-        picture = machine_tikz(Oscillator(radius=radius), compression, theme.paper_colors())
+        picture = draw_tikz(Oscillator(radius=radius), compression, theme.paper_colors())
         return to_beamer(chosen_route, numbers, picture, step)
     write = {"latex": to_latex, "markdown": to_markdown, "notebook": to_notebook}[kind]
     return write(chosen_route, numbers)

@@ -66,7 +66,7 @@ def _result(access: str, stop: str, vote: Vote) -> tuple[Sequence[Mapping[str, i
     votes = [shared().distribution(access, stop, Vote(vote.asking, number)) for number in range(1, vote.number + 1)]
     if not vote.is_second:
         return votes, Counter()
-    right = lesson.stop(stop).right
+    right = lesson.find_stop(stop).right
     return votes, shared().changes(access, stop, right, vote.asking)
 
 
@@ -124,7 +124,7 @@ def draw_whole_lesson(access: str) -> None:
     rows = [(_("Question"), _("Right at first"), _("After talking"))]
     for each in revealed:
         first, second = (_share_of_right([(each.stop, vote)]) if vote else "–" for vote in (each.first, each.second))
-        rows.append((lesson.stop(each.stop).heading, first, second))
+        rows.append((lesson.find_stop(each.stop).heading, first, second))
     widgets.table(rows, key="learned")
 
 
@@ -137,7 +137,7 @@ def _share_of_right(results: Sequence[tuple[str, Mapping[str, int]]]) -> str:
     """
     right = total = 0
     for stop, votes in results:
-        right += votes[lesson.stop(stop).right]
+        right += votes[lesson.find_stop(stop).right]
         total += sum(votes.values())
     return _share(right, total)
 

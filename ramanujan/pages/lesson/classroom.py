@@ -18,7 +18,7 @@ import streamlit as st
 
 from ramanujan import lesson
 from ramanujan.lesson.class_codes import group_code, split_key
-from ramanujan.lesson.class_record import as_csv, as_spreadsheet
+from ramanujan.lesson.class_record import write_csv, write_spreadsheet
 from ramanujan.lesson.class_states import END
 from ramanujan.lesson.classes import DAY, LIFETIMES, ClassError, ClassQuestion, Phase, Seat, SeatError, Vote, shared
 from ramanujan.lesson.stop import Stop
@@ -81,7 +81,7 @@ def _draw_student_page(seat: Seat, show: Callable[..., None]) -> None:
     if visible:
         class_session.apply_settings(shared().machine(seat.code))
         name, running = visible
-        stop = lesson.stop(name)
+        stop = lesson.find_stop(name)
         with above:
             st.title(stop.heading, anchor=False)
             st.markdown(stop.question)
@@ -240,7 +240,7 @@ def _attendance_sentence(place: str, now: ClassQuestion) -> str:
     if now.stop == END:
         return _("The class is at the end of the lesson.")
     if now.stop != place:
-        return _("The class is still at “{heading}”.").format(heading=lesson.stop(now.stop).heading)
+        return _("The class is still at “{heading}”.").format(heading=lesson.find_stop(now.stop).heading)
     return class_results.answers_sentence(now)
 
 
@@ -362,12 +362,12 @@ def _offer_votes(key: str, name: str) -> None:
     code, _secret = split_key(key)
     widgets.download(
         _("Download for a spreadsheet"),
-        as_spreadsheet(results),
+        write_spreadsheet(results),
         f"class-{code}-spreadsheet.csv",
         "text/csv",
         key=f"{name}_spreadsheet",
     )
-    widgets.download(_("Download as CSV"), as_csv(results), f"class-{code}.csv", "text/csv", key=name)
+    widgets.download(_("Download as CSV"), write_csv(results), f"class-{code}.csv", "text/csv", key=name)
 
 
 def _manage_seats(key: str) -> None:
@@ -490,7 +490,7 @@ def _draw_question(seat: Seat, question: ClassQuestion, chosen: str | None) -> N
         class_results.draw_whole_lesson(seat.code)
         st.button(_("Go on with the whole lesson"), key="class_alone", type="primary", on_click=leave)
         return
-    stop = lesson.stop(question.stop)
+    stop = lesson.find_stop(question.stop)
     if question.reached > Phase.ASKED:
         _draw_closed_vote(seat, stop, question, chosen)
     else:

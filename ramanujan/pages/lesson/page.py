@@ -64,7 +64,7 @@ def withheld_presets() -> tuple[str, ...]:
         return tuple(sidebar.PRESETS)
     name = address.current(progress.STOP)
     is_at_stop = address.current(progress.PART) == "stops" and name != progress.END
-    if is_at_stop and not class_session.student_seat() and stops.is_answered(lesson.stop(name)):
+    if is_at_stop and not class_session.student_seat() and stops.is_answered(lesson.find_stop(name)):
         return ()
     return tuple(sidebar.PRESETS)
 
@@ -103,7 +103,7 @@ def select_stop(name: str) -> None:
     stops.clear_confirmation()
     st.session_state[progress.STOP.name] = name
     if name != progress.END:
-        stop = lesson.stop(name)
+        stop = lesson.find_stop(name)
         _option, phase = progress.prediction(stop)
         stops.load_machine(stop, stops.is_running(phase))
 
@@ -146,7 +146,7 @@ def draw_task(head: st.delta_generator.DeltaGenerator) -> None:
     """Draw the current task, and at the top the choice of another one."""
     with head:
         name = widgets.selectbox(progress.TASK, _("Task"), label_visibility="collapsed")
-    tasks.draw_task(lesson.task(name))
+    tasks.draw_task(lesson.find_task(name))
 
 
 def draw_notes(_head: st.delta_generator.DeltaGenerator) -> None:

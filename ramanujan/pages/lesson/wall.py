@@ -59,7 +59,7 @@ def _draw(code: str) -> None:
         elif question.stop == END:
             _draw_results(code)
         else:
-            _draw_question(code, lesson.stop(question.stop), question)
+            _draw_question(code, lesson.find_stop(question.stop), question)
 
 
 def _draw_question(code: str, stop: Stop, question: ClassQuestion) -> None:

@@ -10,7 +10,7 @@ import streamlit as st
 
 from ramanujan import Oscillator, drawn_spacing
 from ramanujan.derivation.energies import PARTS
-from ramanujan.figures import Drawn
+from ramanujan.figures import EncodedFigure
 from ramanujan.figures.motion import Curve, Panel, phase_plane, roomy, time_panels
 from ramanujan.record import Record
 from ramanujan.record import record as take_record
@@ -74,7 +74,7 @@ def record(machine: Oscillator, compression: float, glide: float, spin: float) -
 @st.cache_resource(show_spinner=False, max_entries=64)
 def figures(
     view: str, light_or_dark: str, machine: Oscillator, compression: float, glide: float, spin: float
-) -> tuple[Drawn, ...]:
+) -> tuple[EncodedFigure, ...]:
     """Return the figures of a view in the current theme.
 
     Parameters
@@ -87,7 +87,7 @@ def figures(
     return tuple(draw(motion, colors) for draw in VIEWS[view])
 
 
-def _displacements(motion: Record, colors: Mapping[str, str]) -> Drawn:
+def _displacements(motion: Record, colors: Mapping[str, str]) -> EncodedFigure:
     """Draw the displacements of the bodies relative to the ground and to the block."""
     frames = {
         _("relative to the ground"): motion.ground_positions,
@@ -100,7 +100,7 @@ def _displacements(motion: Record, colors: Mapping[str, str]) -> Drawn:
     return _over_time(motion, panels, colors)
 
 
-def _orbits(motion: Record, colors: Mapping[str, str]) -> Drawn:
+def _orbits(motion: Record, colors: Mapping[str, str]) -> EncodedFigure:
     """Draw one orbit for each coordinate: slab and top cylinder relative to the block, block relative to the ground."""
     relative = motion.relative_positions, motion.relative_velocities
     ground = motion.ground_positions, motion.ground_velocities
@@ -111,7 +111,7 @@ def _orbits(motion: Record, colors: Mapping[str, str]) -> Drawn:
     return phase_plane(curves, velocities, period=motion.oscillator.period, periods=PERIODS, colors=colors)
 
 
-def _energy(motion: Record, colors: Mapping[str, str]) -> Drawn:
+def _energy(motion: Record, colors: Mapping[str, str]) -> EncodedFigure:
     """Draw the energies of all bodies by kind as a stack below their constant sum."""
     curves = []
     for key, values in motion.energies.items():
@@ -124,7 +124,7 @@ def _energy(motion: Record, colors: Mapping[str, str]) -> Drawn:
     return _over_time(motion, [Panel(_("energy"), "mJ", curves, (0.0, float(total[0]) * 7 / 6))], colors)
 
 
-def _momentum(motion: Record, colors: Mapping[str, str]) -> Drawn:
+def _momentum(motion: Record, colors: Mapping[str, str]) -> EncodedFigure:
     """Draw the momentum of each body, which oscillates, and the two conserved momenta, which are constant."""
     curves = []
     for body, values in motion.body_momenta.items():
@@ -139,7 +139,7 @@ def _momentum(motion: Record, colors: Mapping[str, str]) -> Drawn:
     return _over_time(motion, [_panel(_("momentum"), "kg·m/s", curves)], colors)
 
 
-def _contacts(motion: Record, colors: Mapping[str, str]) -> Drawn:
+def _contacts(motion: Record, colors: Mapping[str, str]) -> EncodedFigure:
     """Draw the horizontal force on each roller at its contacts, and the normal forces there."""
     forces = [_contact_curve(name, values, colors) for name, values in motion.forces.items() if name != "spring"]
     normals = [_contact_curve(name, values, colors) for name, values in motion.normal_forces.items()]
@@ -174,5 +174,5 @@ def _panel(title: str, unit: str, curves: list[Curve]) -> Panel:
     return Panel(title, unit, curves, roomy([curve.values for curve in curves]))
 
 
-def _over_time(motion: Record, panels: list[Panel], colors: Mapping[str, str]) -> Drawn:
+def _over_time(motion: Record, panels: list[Panel], colors: Mapping[str, str]) -> EncodedFigure:
     return time_panels(panels, period=motion.oscillator.period, periods=PERIODS, colors=colors)

@@ -9,7 +9,7 @@ from ramanujan.contact import required_friction
 from ramanujan.derivation.energies import PARTS
 from ramanujan.derivation.model import MOMENTA
 from ramanujan.derivation.printers import latex
-from ramanujan.figures import Drawn
+from ramanujan.figures import EncodedFigure
 from ramanujan.figures.motion import friction_bars
 from ramanujan.numerals import filled, fixed, quantity
 from ramanujan.pages.motion import cache
@@ -35,7 +35,7 @@ class Friction:
     first: str
 
 
-def draw_displacements(motion: Record, drawn: tuple[Drawn, ...]) -> None:
+def draw_displacements(motion: Record, drawn: tuple[EncodedFigure, ...]) -> None:
     """Draw displacements over time and the phase plane, and explain the two initial velocities."""
     time, plane = st.columns([3, 2])
     farthest = {}
@@ -91,7 +91,7 @@ def _drift(x: np.ndarray, motion: Record) -> float:
     return round(float((x[-1] - x[0]) / motion.t[-1] * 100), 9)
 
 
-def draw_energy(motion: Record, drawn: tuple[Drawn, ...]) -> None:
+def draw_energy(motion: Record, drawn: tuple[EncodedFigure, ...]) -> None:
     """Draw the energies, stacked."""
     total = motion.total_energy
     error = max(float(abs(total - total[0]).max() / total[0]), np.finfo(float).eps)
@@ -122,7 +122,7 @@ def draw_energy(motion: Record, drawn: tuple[Drawn, ...]) -> None:
         st.caption(filled(" ".join(sentences), total=1e3 * total[0], error=error, spring=spring))
 
 
-def draw_momentum(motion: Record, drawn: tuple[Drawn, ...]) -> None:
+def draw_momentum(motion: Record, drawn: tuple[EncodedFigure, ...]) -> None:
     """Draw the momenta of the bodies and the two conserved momenta."""
     p_X, p_Phi = (float(motion.momenta[name][0]) for name in ("p_X", "p_Phi"))
     X_symbol, _phi_symbol, Phi_symbol = map(latex, MOMENTA)
@@ -143,7 +143,7 @@ def draw_momentum(motion: Record, drawn: tuple[Drawn, ...]) -> None:
         st.caption(sentence.format(p_X=X_symbol, p_Phi=Phi_symbol))
 
 
-def draw_forces(motion: Record, drawn: tuple[Drawn, ...], friction: Friction) -> None:
+def draw_forces(motion: Record, drawn: tuple[EncodedFigure, ...], friction: Friction) -> None:
     """Draw contact forces over time, and the friction that each contact needs."""
     time, bars = st.columns([3, 2])
     with time:
@@ -152,7 +152,7 @@ def draw_forces(motion: Record, drawn: tuple[Drawn, ...], friction: Friction) ->
         draw_required_friction(motion, friction)
 
 
-def draw_contact_forces(motion: Record, drawn: tuple[Drawn, ...]) -> None:
+def draw_contact_forces(motion: Record, drawn: tuple[EncodedFigure, ...]) -> None:
     """Draw contact forces over time."""
     strongest = {name: float(abs(force).max()) for name, force in motion.forces.items() if name in cache.CONTACTS}
     alternative = _(
@@ -202,7 +202,7 @@ def draw_required_friction(motion: Record, friction: Friction) -> None:
     explain_friction()
 
 
-def draw_chart(figure: Drawn, name: str, alt: str) -> None:
+def draw_chart(figure: EncodedFigure, name: str, alt: str) -> None:
     """Draw a figure with Plotly's legend, hover and zoom."""
     drawings.plot(figure, f"figure_{name}", alt, config={"displaylogo": False})
 

@@ -12,7 +12,7 @@ from ramanujan.derivation import Step
 from ramanujan.derivation.model import epsilon
 from ramanujan.derivation.numbers import Numbers, unit_frequency_condition
 from ramanujan.derivation.rows import Row, align, rows
-from ramanujan.figures import Drawn
+from ramanujan.figures import EncodedFigure
 from ramanujan.figures.oscillator import Curve, Mark, frequency_curve
 from ramanujan.shell import theme
 from ramanujan.shell.cache import route
@@ -36,14 +36,14 @@ def curve() -> Curve:
     at_equal = normalized.subs(epsilon, 1)
     headline = f'<span style="font-size: 1.8em; font-weight: 700">{discriminant()}</span>'
     return Curve(
-        ratios,
-        np.asarray(normalized_frequency_squared(ratios)),
-        float(light),
-        str(light),
-        sp.lambdify(epsilon, heavy, "numpy")(ratios),
-        sp.sstr(heavy).replace("varepsilon", "ε").replace("*", ""),
-        Mark(1.0, float(at_equal), _("equal masses<br>{value}").format(value=at_equal)),
-        Mark(UNIT_MASS_RATIO, 1.0, f"{headline}<br><i>ε</i> = {unit_ratio()}"),
+        ratios=ratios,
+        values=np.asarray(normalized_frequency_squared(ratios)),
+        light_limit=float(light),
+        light=str(light),
+        heavy_limit=sp.lambdify(epsilon, heavy, "numpy")(ratios),
+        heavy=sp.sstr(heavy).replace("varepsilon", "ε").replace("*", ""),
+        equal=Mark(1.0, float(at_equal), _("equal masses<br>{value}").format(value=at_equal)),
+        unit=Mark(UNIT_MASS_RATIO, 1.0, f"{headline}<br><i>ε</i> = {unit_ratio()}"),
     )
 
 
@@ -74,7 +74,7 @@ def equal_masses_value() -> str:
 
 
 @st.cache_resource(show_spinner=False, max_entries=4)
-def figure(light_or_dark: str) -> Drawn:
+def figure(light_or_dark: str) -> EncodedFigure:
     """Return the figure of the curve, which is the same for every machine. The theme's name is the key of the cache."""
     return frequency_curve(curve(), theme.colors())
 

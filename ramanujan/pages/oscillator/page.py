@@ -235,9 +235,9 @@ def draw_equations(key: str, rows: Sequence[Row], width: int = cache.LINE_WIDTH)
 
 def draw_slides(steps: list[cache.SummaryStep]) -> None:
     """Draw each step of the route on a slide of the projector view, next to the machine with its symbols."""
-    from ramanujan.lesson.picture import machine_svg  # Imported late: the first page of a visitor does not need it.
+    from ramanujan.lesson.picture import draw_svg  # Imported late: the first page of a visitor does not need it.
 
-    machine = machine_svg(sidebar.oscillator(), sidebar.compression(), theme.paper_colors())
+    machine = draw_svg(sidebar.oscillator(), sidebar.compression(), theme.paper_colors())
     for n, step in enumerate(steps, start=1):
         for index, detail in enumerate(step.steps):
             letter = "abc"[index] if len(step.steps) > 1 else ""

@@ -27,7 +27,7 @@ from ramanujan.accuracy.measurement import Timing
 from ramanujan.accuracy.phase import PhaseErrors, phase_errors
 from ramanujan.accuracy.runs import error_history, seconds_per_step
 from ramanujan.accuracy.work_precision import DTYPES, WorkPrecision, work_precision
-from ramanujan.figures import MASS_RATIO, Drawn
+from ramanujan.figures import MASS_RATIO, EncodedFigure
 from ramanujan.figures import speed as figures
 from ramanujan.integrators import METHODS
 from ramanujan.lesson import answer_tasks
@@ -154,11 +154,11 @@ def choices() -> Choices:
     machine = Oscillator()
     with _MEASURING:
         return Choices(
-            closed_form(machine),
-            seconds_per_reduction(machine),
-            curve_sampling(),
-            arithmetics(),
-            caching(machine),
+            states=closed_form(machine),
+            reduction=seconds_per_reduction(machine),
+            curves=curve_sampling(),
+            arithmetics=arithmetics(),
+            speedups=caching(machine),
         )
 
 
@@ -169,7 +169,7 @@ def phases(machine: Oscillator) -> list[PhaseErrors]:
 
 
 @st.cache_resource(show_spinner=False, max_entries=64)
-def phases_figure(machine: Oscillator, colors: dict[str, str]) -> Drawn:
+def phases_figure(machine: Oscillator, colors: dict[str, str]) -> EncodedFigure:
     """Return the figure of the phase errors in the given colours."""
     errors_by_periods = phases(machine)
     curves = {

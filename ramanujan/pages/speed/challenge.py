@@ -19,7 +19,7 @@ from ramanujan.shell import address, display_mode, drawings, sidebar, stages, th
 from ramanujan.shell.sections import tasks
 from ramanujan.translation import _
 
-TASK = lesson.task("cheapest")
+TASK = lesson.find_task("cheapest")
 METHOD = address.Choice("method", {name: method.title for name, method in METHODS.items()}, "velocity_verlet")
 STEPS = address.Count("steps", STEPS_PER_PERIOD[-1], 12, STEPS_PER_PERIOD[0])
 TRIES = address.Several("tries", tuple(f"{method}.{steps}" for method in METHODS for steps in STEPS_PER_PERIOD))
@@ -100,7 +100,7 @@ def draw_diagram() -> None:
             },
             titles=(_("evaluations of the force"), _("largest angle between both machines [turns]")),
             tolerance=WITHIN,
-            singled={_("your run"): (*points[-1], "diamond", 15, "ink")},
+            marked_runs={_("your run"): figures.MarkedRun(*points[-1], symbol="diamond", size=15, color="ink")},
             tried=points[:-1],
             colors=theme.colors(),
         ),

@@ -102,22 +102,26 @@ def draw_diagram(periods: int, by: str, tolerance: float) -> None:
     words, figure = columns("costs")
     with words:
         st.markdown(sentence)
-    singled = {}
+    marked_runs = {}
     if ranked:
         best = ranked[0]
-        singled[_("cheapest")] = getattr(best, by), best.error, "circle-open", 22, "primary"
+        marked_runs[_("cheapest")] = figures.MarkedRun(
+            cost=getattr(best, by), error=best.error, symbol="circle-open", size=22, color="primary"
+        )
     if by == "seconds":
-        singled[_("closed form")] = closed.seconds.median, closed.phase_error, "star", 15, "ink"
-    drawn = figures.work_precision(
+        marked_runs[_("closed form")] = figures.MarkedRun(
+            cost=closed.seconds.median, error=closed.phase_error, symbol="star", size=15, color="ink"
+        )
+    diagram = figures.work_precision(
         {(METHODS[curve.method].title, curve.dtype): downsampling.costs(curve, by) for curve in curves},
         titles=(_COST_TITLES[by], _("largest error, relative to the amplitude")),
         tolerance=tolerance,
-        singled=singled,
+        marked_runs=marked_runs,
         colors=theme.colors(),
     )
     alternative = _("Work–precision diagram: the error of each method falls as its cost rises. {finding}")
     with figure:
-        drawings.plot(drawn, "work_precision", alternative.format(finding=sentence.replace("**", "")))
+        drawings.plot(diagram, "work_precision", alternative.format(finding=sentence.replace("**", "")))
     spread = float(np.median([curve.spread for curve in curves]))
     with words:
         explanation = verdicts.explain_slope(curves, cache.run)

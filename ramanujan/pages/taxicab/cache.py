@@ -81,13 +81,13 @@ def story(left: str, right: str, top: str, p: int = 1, q: int = 1) -> Story:
     a, b, c = machine.quadratic
     root = (sp.sqrt(machine.discriminant) - b) / (2 * a)
     return Story(
-        machine,
-        latex(equation(a * epsilon**2 + b * epsilon + c, sp.S.Zero)),
-        format_with_decimal(root, 7),
-        float(number_theory.positive_root_digits(a, b, c, 40)),
-        product_of_primes(machine.factorization),
-        sums_of_cubes(machine.cubes),
-        latex(equation((2 * a * epsilon + b) ** 2, sp.Integer(machine.discriminant))),
+        machine=machine,
+        quadratic=latex(equation(a * epsilon**2 + b * epsilon + c, sp.S.Zero)),
+        root=format_with_decimal(root, 7),
+        ratio=float(number_theory.positive_root_digits(a, b, c, 40)),
+        factors=product_of_primes(machine.factorization),
+        cubes=sums_of_cubes(machine.cubes),
+        square=latex(equation((2 * a * epsilon + b) ** 2, sp.Integer(machine.discriminant))),
     )
 
 

@@ -7,8 +7,8 @@ import streamlit as st
 
 from ramanujan import Oscillator
 from ramanujan.lesson.class_codes import ALPHABET, group_code
-from ramanujan.lesson.picture import machine_svg
-from ramanujan.lesson.worksheet import WorksheetQuestion, questions, set_in_a_row
+from ramanujan.lesson.picture import draw_svg
+from ramanujan.lesson.worksheet import WorksheetQuestion, make_questions, set_in_a_row
 from ramanujan.numerals import filled
 from ramanujan.shell import address, drawings, messages, sidebar, theme, widgets, worksheet_keys
 from ramanujan.shell.display_mode import is_projector, picture_and_words, slide
@@ -39,7 +39,7 @@ def show() -> None:
         paper, seed, level = draw_options()
         if not is_projector():
             exercise.draw_composer()
-    numbered = questions(machine, seed, level)
+    numbered = make_questions(machine, seed, level)
     calculations = [number for number, question in enumerate(numbered, start=1) if question.working]
     with nullcontext() if is_projector() else st.container(key="worksheet", border=True):
         with first_slide:
@@ -162,7 +162,7 @@ def draw_head(machine: Oscillator, paper: str, seed: str, calculations: list[int
     values = ", ".join(each.equation(each.value) for each in PARAMETERS.values())
     with picture, st.container(key="worksheet_picture"):
         drawings.draw(
-            machine_svg(machine, sidebar.compression(), theme.paper_colors()),
+            draw_svg(machine, sidebar.compression(), theme.paper_colors()),
             alt=_("The machine, drawn to scale: block, hoop, lower cylinder, slab, spring and top cylinder."),
             style=f"width:{'100%' if is_projector() else '35rem'};max-width:100%",
         )

@@ -7,7 +7,7 @@ lecturer's link also contains its key (`shell/worksheet_keys.py`).
 import streamlit as st
 
 from ramanujan import lesson
-from ramanujan.answers import QUESTIONS, question
+from ramanujan.answers import QUESTIONS, find_question
 from ramanujan.browser import components
 from ramanujan.shell import address, display_mode, widgets, worksheet_keys
 from ramanujan.shell.display_mode import slide
@@ -41,7 +41,7 @@ def draw_exercise(items: tuple[str, ...]) -> None:
     if item in QUESTIONS:
         draw_question(item, has_key)
     else:
-        verdict = tasks.draw_task(lesson.task(item))
+        verdict = tasks.draw_task(lesson.find_task(item))
         if verdict.done:
             questions.store_answer(item, verdict.sentence, is_right=True)
 
@@ -58,7 +58,7 @@ def draw_question(name: str, has_key: bool) -> None:
 
 def title(item: str) -> str:
     """Return the title of a question or task."""
-    return questions.title(item) if item in QUESTIONS else lesson.task(item).heading
+    return questions.title(item) if item in QUESTIONS else lesson.find_task(item).heading
 
 
 def draw_worksheet(items: tuple[str, ...]) -> None:
@@ -77,7 +77,7 @@ def worksheet_text(items: tuple[str, ...]) -> str:
     """Return the worksheet as Markdown: each item with its answer, the time of the first right one, and used hints."""
     lines = ["# " + _("Ramanujan’s oscillator: exercise"), _("Name: {line} Date: {line}").format(line="\\_" * 16), ""]
     for number, item in enumerate(items, start=1):
-        text = question(item).prompt() if item in QUESTIONS else lesson.task(item).text
+        text = find_question(item).prompt() if item in QUESTIONS else lesson.find_task(item).text
         lines.append(f"{number}. **{title(item)}.** {text}")
         lines += [f"   - {result}" for result in results_of(item)]
     return "\n".join(lines) + "\n"

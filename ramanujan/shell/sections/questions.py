@@ -5,7 +5,7 @@ from datetime import datetime
 
 import streamlit as st
 
-from ramanujan.answers import QUESTIONS, Verdict, judge, question, shown_step
+from ramanujan.answers import QUESTIONS, Verdict, find_answer_equations, find_question, judge
 from ramanujan.answers.grammar import UnreadableError, typeset
 from ramanujan.answers.questions import EQUATION
 from ramanujan.browser import stage
@@ -51,7 +51,7 @@ def draw_section() -> None:
 
 def title(name: str) -> str:
     """Return the title of a question."""
-    quantity = question(name).quantity
+    quantity = find_question(name).quantity
     return quantity[:1].upper() + quantity[1:]
 
 
@@ -119,7 +119,7 @@ def publish_machine() -> None:
 
 def draw_box(name: str, with_step: bool, route: str = "") -> None:
     """Draw the text of a question, its box, the verdict and the hints. The arguments are those of `draw_question`."""
-    shown = question(name)
+    shown = find_question(name)
     is_equation = shown.kind == EQUATION
     st.markdown(shown.prompt())
     names = " ".join(f"`{letter}`" for letter in (*shown.accepted_names, "sqrt( )"))
@@ -151,7 +151,7 @@ def draw_verdict(verdict: Verdict, formula: str | None) -> None:
 @st.cache_data(show_spinner=False)
 def step_to_answer(name: str) -> str:
     """Return the step that leads to the answer of a question, as one block of LaTeX."""
-    return typeset_beside_machine([row(each) for each in shown_step(name)])
+    return typeset_beside_machine([row(each) for each in find_answer_equations(name)])
 
 
 @st.cache_data(show_spinner=False, max_entries=512)
