@@ -52,7 +52,7 @@ class Page:
     @property
     def url_parameters(self) -> tuple[URLParameter, ...]:
         """The URL parameters of the page, besides those of every page."""
-        return self._attribute("URL_PARAMETERS")
+        return self._attribute("URL_PARAMETERS", ())
 
     def draw_header(self) -> bool:
         """Draw the controls at the top of the page, if it has any. Return False if the sidebar has to draw them.

@@ -9,7 +9,7 @@ from typing import Any, ClassVar
 import streamlit as st
 
 from ramanujan import Oscillator
-from ramanujan.numerals import number, quantity, two_readings
+from ramanujan.numerals import number, quantity
 from ramanujan.shell.address import URLParameter, bare, fits
 from ramanujan.translation import _
 
@@ -52,10 +52,9 @@ class Parameter(URLParameter):
     def tidy(self, text: str) -> str:
         """Return a number as text for Streamlit's sliders, also for a text that only the box accepts, such as 9/8."""
         tidied = super().tidy(text)
-        typed = bare(text)
-        if self._fits(tidied) or two_readings(typed):
+        if self._fits(tidied):
             return tidied
-        value = read_number(typed)
+        value = read_number(bare(text))
         return tidied if value is None else repr(value)
 
     def message(self) -> str:
@@ -132,11 +131,10 @@ SENTENCES = {
         "Type {symbol} as a number such as 1.25 or as a fraction such as 9/8. The old value, {old}, was kept."
     ),
     "outside": _("{symbol} must be between {least} and {most}. The old value, {old}, was kept."),
-    "ambiguous": _("{text} can mean {decimal} or {whole}. Type one of these two. The old value, {old}, was kept."),
     "lighter": _("m was changed from {old} to {new}, because m′ can be at most {bound}."),
     "heavier": _("m was changed from {old} to {new}, because m′ must be at least {bound}."),
 }
-"""Messages at a slider: not a number, outside of the range, ambiguous, or m changed because of the mass ratio."""
+"""Messages at a slider: not a number, outside of the range, or m changed because of the mass ratio."""
 
 LONGEST = 60
 """Largest length of a typed number."""

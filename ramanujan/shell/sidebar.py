@@ -17,7 +17,7 @@ from ramanujan import UNIT_MASS_RATIO, Oscillator
 from ramanujan.browser import components
 from ramanujan.numerals import number as written
 from ramanujan.shell import cache, display_mode, messages, pending_updates, widgets
-from ramanujan.shell.parameters import MACHINE, PARAMETERS, SENTENCES, read_number, two_readings
+from ramanujan.shell.parameters import MACHINE, PARAMETERS, SENTENCES, read_number
 from ramanujan.translation import _, pgettext
 
 PRESETS = {
@@ -36,7 +36,8 @@ The list is changed in place, so that an interrupted run loses no request.
 """
 _PROCESSED = "processed_texts"
 """Session state: number of texts of the boxes that `set_number` has processed."""
-_FIRST = "first_run"
+_IS_FIRST = "is_first_run"
+"""Session state: whether this run is the first of the session."""
 _FRAGMENTS = "machine_fragments"
 """Session state: the keys of the fragments that depend on the machine, if the page was completely drawn."""
 _LINKED = "linked"
@@ -154,7 +155,7 @@ def begin(problems: list[str]) -> None:
     problems : a sentence about each problem of the address
     """
     st.session_state.pop(_FRAGMENTS, None)
-    st.session_state[_FIRST] = _FIRST not in st.session_state
+    st.session_state[_IS_FIRST] = _IS_FIRST not in st.session_state
     # Store the valid values of the link for `_reset`. The sliders have these values in the first run.
     st.session_state.setdefault(_LINKED, {key: parameter.value for key, parameter in PARAMETERS.items()})
     pending_updates.reassert()
@@ -224,7 +225,7 @@ def request_machine(machine: Oscillator, metres: float) -> None:
 
 def has_linked_machine() -> bool:
     """Return whether this run is the first of its session and the link contains a parameter of the machine."""
-    return st.session_state[_FIRST] and not set(PARAMETERS).isdisjoint(st.query_params)
+    return st.session_state[_IS_FIRST] and not set(PARAMETERS).isdisjoint(st.query_params)
 
 
 def shows_machine(machine: Oscillator, metres: float) -> bool:
@@ -281,13 +282,7 @@ def set_number(key: str, text: str) -> None:
     parameter = PARAMETERS[key]
     # The count makes the box show its value again, changed or not.
     st.session_state[_PROCESSED] = st.session_state.get(_PROCESSED, 0) + 1
-    number, readings = read_number(text), two_readings(text)
-    if number is not None and readings:
-        decimal, whole = readings
-        old = parameter.with_unit(parameter.value)
-        sentence = SENTENCES["ambiguous"].format(text=text.strip(), decimal=decimal, whole=whole, old=old)
-        messages.note(parameter.name, sentence, warning=True)
-        return
+    number = read_number(text)
     if number is not None and parameter.least <= number <= parameter.most:
         pending_updates.set_widgets({parameter.name: number})
         return

@@ -27,6 +27,7 @@ The topics of the bus, where NAME is the name of a stage, CLOCK of a clock, and 
     exact/KEY         {value, text, processed}: the value, text and number of processed inputs of a slider's box
     announce          {sentence, urgent}: a sentence for the page's live region
     turned            the new stop of a lesson
+    step              the number of the step that a lecture shows
     slides            {has(by)}: has(by) returns whether the projector has a slide `by` slides after the present one
     sliders           a request to open the drawer with the sliders
 """
@@ -97,7 +98,6 @@ def story(data: Mapping[str, Any]) -> Any:
         rest : the scenes that follow
         pace : seconds of a period of the plain mass
         stills : {label, turns} of each clock for a reader who prefers reduced motion
-        marked : whether the slider marks the ratio from the start
         words : ratio, a template for ε; there, the sentence in step; stills, the sentence above the clocks; mark,
             begin, again, stop, hint
     """

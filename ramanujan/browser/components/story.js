@@ -21,7 +21,6 @@ class Story {
     const find = (selector) => root.querySelector(selector);
     Object.assign(this, { data, signal, button: find("button"), output: find(".sentence"), stills: find(".stills") });
     this.calm = matchMedia("(prefers-reduced-motion: reduce)");
-    isReached ||= data.marked;
     this.button.title = data.words.hint;
     find(".stills p").textContent = data.words.stills;
     find("ol").innerHTML = data.stills.map(clockFace).join("");

@@ -33,9 +33,8 @@ Constant data, sent once:
     address_prefix  prefix of the stage's names in the address
     sends_view      whether the stage sends its view to the server, see `VIEW`
 
-The message, published at every change; all but the first two are optional:
+The message, published at every change; all but the first entry are optional:
 
-    version      1
     parameters   m, m_prime [kg], k [N/m], radius, compression [m], beta_hoop, beta_cylinder, beta_top
     initial      X, phi, Phi [m, rad, rad] and X_dot, phi_dot, Phi_dot at release; default: released at rest
     samples      q = φ/φ₀ at equal steps, per_period of them in a period; they replace the exact motion of a machine
@@ -61,9 +60,7 @@ from ramanujan.browser.stage.formulas import SHAPE_FACTORS
 from ramanujan.browser.stage.words import LAYERS
 from ramanujan.motion import InitialState
 from ramanujan.oscillator import Oscillator
-from ramanujan.translation import _
 
-VERSION = 1
 PARTS = {
     "clocks": "the two clock hands, and every text that depends on how near the two frequencies are",
     "numbers": "Ω²m/k with its gauge, Ω, the period, shares of the energy, scales of arrows, and texts with them",
@@ -113,7 +110,6 @@ def payload(
         "slipping": slipping,
     }
     return {
-        "version": VERSION,
         "parameters": {**asdict(oscillator), "compression": compression, **shapes},
         **{name: value for name, value in optional.items() if value is not None},
     }
@@ -211,9 +207,5 @@ def publish(
     more : further topics of the bus and their values
     """
     hidden = sorted(hide)
-    unknown = sorted(set(hidden).difference(PARTS))
-    if unknown:
-        sentence = _("hide must be among {known}, and {unknown} is not")
-        raise ValueError(sentence.format(known=", ".join(PARTS), unknown=", ".join(unknown)))
     message = {**data, "hide": hidden} if hidden else data
     components.publish(f"{key}_published", {f"machine/{name or key}": message, **(more or {})})

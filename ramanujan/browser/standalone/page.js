@@ -7,7 +7,7 @@ import { fill, withUnit } from "../components/sentences.js";
 import { dom } from "../components/streamlit_dom.js";
 import { drawCurve } from "./curve.js";
 import { makeSlider, mount } from "./elements.js";
-import { readNumber, twoReadings } from "./numbers.js";
+import { readNumber } from "./numbers.js";
 
 const settings = JSON.parse(document.querySelector("#settings").textContent);
 const { parameters, sentences, view } = settings;
@@ -22,7 +22,7 @@ const clamp = (value, { least, most }) => Math.min(Math.max(value, least), most)
 /** Publish the machine, and the values for the boxes. */
 function publish() {
   const machine = Object.fromEntries(parameters.map(({ key, scale }) => [key, values[key] * scale]));
-  bus.publish("machine/oscillator", { version: 1, parameters: { ...settings.machine, ...machine } });
+  bus.publish("machine/oscillator", { parameters: { ...settings.machine, ...machine } });
   for (const { key } of parameters) bus.publish(`exact/${key}`, { value: values[key], text: String(values[key]) });
 }
 
@@ -40,9 +40,8 @@ function set(changes, message = "") {
 /** Set a parameter from a text, or show which numbers are accepted and keep the old value. */
 function setFromText(parameter, text) {
   const { key, symbol, least, most } = parameter, old = asQuantity(values[key], parameter);
-  const value = readNumber(text), readings = twoReadings(text);
+  const value = readNumber(text);
   if (value === null) set({}, fill(sentences.unreadable, { symbol, old }));
-  else if (readings) set({}, fill(sentences.ambiguous, { text, decimal: readings[0], whole: readings[1], old }));
   else if (isInRange(value, parameter)) set({ [key]: value });
   else set({}, fill(sentences.outside, { symbol, old, least: asText(least), most: asQuantity(most, parameter) }));
 }

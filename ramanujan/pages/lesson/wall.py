@@ -28,7 +28,7 @@ _POLLS = "wall_polls"
 _REDRAW_AFTER = 6
 """Number of polls after which the wall is redrawn once.
 
-A busy server can lose elements of a run if the page requests the next run meanwhile (Streamlit issue 9921).
+A busy server can lose elements of a run if the page requests the next run meanwhile (streamlit#9921).
 """
 
 

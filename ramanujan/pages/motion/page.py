@@ -115,7 +115,7 @@ def greatest_friction(motion: Record) -> tuple[float, str]:
 
 
 def offer_files(motion: Record, mu: float) -> None:
-    """Offer the record as a CSV file and as a JSON file."""
+    """Offer the record as a CSV file, and as a file for a spreadsheet."""
     settings = [(each.label, each.value) for each in (*PARAMETERS.values(), GLIDE, SPIN, MU)]
     widgets.download(
         _("Spreadsheet"),

@@ -12,13 +12,10 @@ from ramanujan.derivation.rows import Row, align, align_for_phone
 from ramanujan.numerals import filled, number
 from ramanujan.pages.oscillator import cache, story, texts
 from ramanujan.pages.oscillator.story import turns_gained
-from ramanujan.shell import address, display_mode, drawings, first_run, navigation, sidebar, stages, theme, widgets
+from ramanujan.shell import display_mode, drawings, first_run, navigation, sidebar, stages, theme, widgets
 from ramanujan.shell.display_mode import slide
 from ramanujan.translation import _
 
-# With "on", the slider of m′ marks the unit ratio before the visitor has found it.
-MARK = address.Choice("found", ("on",))
-URL_PARAMETERS = (MARK,)
 # Two frequencies with a smaller relative difference are considered equal.
 _ROUNDING_ERROR = 1e-12
 
@@ -119,7 +116,7 @@ def draw_opening() -> None:
 
 def draw_story_button() -> None:
     """Draw the button of the story, which ends at the one mass ratio at which both hands turn together."""
-    components.story(story.data(marked=address.update(MARK) == "on"))
+    components.story(story.data())
 
 
 def draw_lesson_link() -> None:

@@ -97,13 +97,8 @@ def story(start: float) -> tuple[Scene, ...]:
     )
 
 
-def data(*, marked: bool = False) -> dict[str, Any]:
-    """Return the data of `components.story`.
-
-    Parameters
-    ----------
-    marked : whether the slider marks ε* before the visitor has found it
-    """
+def data() -> dict[str, Any]:
+    """Return the data of `components.story`."""
     stories = [story(start) for start in STARTS]
     return {
         "stage": "oscillator",
@@ -113,7 +108,6 @@ def data(*, marked: bool = False) -> dict[str, Any]:
         "rest": list(map(asdict, stories[0][OPENING:])),
         "pace": PACE,
         "stills": stills(),
-        "marked": marked,
         "words": words(),
     }
 
