@@ -1,6 +1,7 @@
 """The app in a browser, for tests and benchmarks: start it, open it, and wait until it has answered."""
 
 import contextlib
+import os
 import re
 import shutil
 import socket
@@ -38,9 +39,9 @@ A slider sends after 200 ms, and the steps of a lecture after 300 ms. The addres
 
 
 class running:  # noqa: N801 (reads as a sentence: with running(app) as address)
-    """Run a Streamlit script on a free port during the block."""
+    """Run a Streamlit script on a free port during the block, with these variables in its environment."""
 
-    def __init__(self, script: Path) -> None:
+    def __init__(self, script: Path, **variables: str) -> None:
         with socket.socket() as probe:
             probe.bind(("127.0.0.1", 0))
             port = probe.getsockname()[1]
@@ -49,6 +50,7 @@ class running:  # noqa: N801 (reads as a sentence: with running(app) as address)
         self.process = subprocess.Popen(
             [*command, "--server.address", "127.0.0.1", "--server.port", str(port)],
             cwd=ROOT,
+            env=os.environ | variables,
             stdout=subprocess.DEVNULL,
             stderr=subprocess.DEVNULL,
         )

@@ -211,7 +211,7 @@ def test_a_class_plays_the_short_lesson_from_a_phone_and_downloads_its_votes(scr
         votes = Counter([own, *others])
         cast.append(votes)
         rerun(phone, desk, wall)
-        expect(desk.locator(".st-key-class_desk")).to_contain_text("3 of 3 here have answered")
+        expect(desk.locator(".st-key-class_desk")).to_contain_text("Answers: 3 of 3")
         assert wall.locator("[data-testid=stProgress]").count() == 0
 
         press(".st-key-class_run")
@@ -300,7 +300,7 @@ def test_no_view_of_a_wall_is_cut_at_any_size(screen):
     assert wrong == []
 
 
-def test_a_wall_is_complete_with_a_readers_text_spacing_and_ends_with_one_sentence(screen):
+def test_a_wall_fits_with_a_readers_text_spacing_and_the_end_of_a_class_is_one_sentence(screen):
     opened, stop = shared().open_class(), lesson.STOPS[0]
     wall = screen(f"class={opened.code}&wall=on&view=projector", 1280, 768)
     shared().ask(opened.key, stop.id, list(stop.options))
@@ -314,9 +314,13 @@ def test_a_wall_is_complete_with_a_readers_text_spacing_and_ends_with_one_senten
         wall.add_style_tag(content=SPACED)
         next_frame(wall)
         assert wall.evaluate(READABLE), phase.name
+    phone = screen(f"class={opened.code}")
+    phone.get_by_text("without names").wait_for()
     shared().close(opened.key)
-    rerun(wall)
-    expect(wall.locator("h1")).to_have_count(0)
+    rerun(wall, phone)
+    for page in (wall, phone):
+        expect(page.locator("h1, svg.machine, [data-testid=stCaptionContainer]")).to_have_count(0)
+    expect(phone.locator("[data-testid=stAlert]")).to_have_text("The class has ended.")
     box = wall.locator("[data-testid=stAlert]")
     x, y, width, _height = box.bounding_box().values()
     corner = [x + width - 60, y + 12]

@@ -160,7 +160,7 @@ def test_a_lesson_with_a_vote_from_two_browsers(at):
     desk.click(".st-key-class_ask button")
     phone.click(".st-key-class_phone [role=radiogroup] label")
     phone.wait(says("Your answer counts"))
-    desk.wait(says("1 of 1 here has answered"))
+    desk.wait(says("Answers: 1 of 1"))
     desk.click(".st-key-class_reveal button")
     for visitor in (desk, phone):
         visitor.wait(says("1 of 1, 100\u202f%"))

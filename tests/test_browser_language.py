@@ -63,11 +63,8 @@ ADDRESSES["taxicab"] += "?p=1000&q=999&digits=1000&left=sphere"
 @pytest.fixture(scope="module")
 def pseudo() -> Iterator[str]:
     """The address of an app in the pseudo-language."""
-    with pytest.MonkeyPatch.context() as patch:
-        patch.setenv("RAMANUJAN_LANGUAGE", "pseudo")
-        patch.setenv("RAMANUJAN_LANGUAGES", "en:/,hu:/hu/,pseudo:/pseudo/")
-        app = running(ROOT / "app.py")
-    with app as address:
+    variables = {"RAMANUJAN_LANGUAGE": "pseudo", "RAMANUJAN_LANGUAGES": "en:/,hu:/hu/,pseudo:/pseudo/"}
+    with running(ROOT / "app.py", **variables) as address:
         yield address
 
 

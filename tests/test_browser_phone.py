@@ -4,10 +4,9 @@ from collections.abc import Callable
 from itertools import pairwise
 
 import pytest
-from playwright.sync_api import expect
+from playwright.sync_api import Page, expect
 
-from ramanujan import lesson
-from tests.browser import next_frame, settle
+from tests.browser import ROOT, next_frame, running, settle
 
 SIZES = ((667, 375), (844, 390))
 """Height and width of a small and of a common phone."""
@@ -137,11 +136,12 @@ def check_return(phone: Phone) -> None:
 
 
 def check_stop(phone: Phone) -> None:
-    """Check that a stop's button opens the drawer, and that machine, clock and slider are visible during a drag."""
-    for name in ("Ahead by less than one full turn.", "Run the machine", "Change it with the sliders"):
+    """Check that machine, clock and slider of a stop are visible together during a drag."""
+    for name in ("Ahead by less than one full turn.", "Run the machine"):
         phone.page.get_by_role("button", name=name).tap()
         settle(phone.page)
     handle, parting = phone.page.locator(".st-key-handle button"), phone.page.locator(".parting")
+    phone.handle()
     expect(handle).to_have_attribute("aria-expanded", "true")
 
     def check_visible() -> None:
@@ -211,16 +211,16 @@ def test_a_visit_with_one_finger(visit):
     check_stop(phone)
 
 
-OPEN = "lesson?stop={}"
-ANSWERED = "lesson?stop={0}&chosen={0}.{1}"
+SMALL = ((390, 664), (844, 390))
+"""Width and height of a small phone with the browser's bars, in both orientations."""
+IN_ENGLISH = [("zero-modes", "none"), ("1729", "second")]
+IN_TRANSLATIONS = {"de": [("exactly", "eighths")], "hu": [("steps", "verlet")]}
+"""Stops with the least room, each with a wrong option."""
 
 
-@pytest.mark.parametrize("name", ["zero-modes", "1729"])
-def test_a_stop_fits_on_a_small_phone(visit, name):
-    """While a question is open, its options are in view; an answered stop is at most two screens long."""
-    stop, sizes = lesson.find_stop(name), ((390, 664), (844, 390))
-    page = visit(OPEN.format(name), width=390, height=664, has_touch=True, is_mobile=True)
-    for width, height in sizes:
+def check_stop_fits(page: Page, stop: str, wrong: str) -> None:
+    """Check that an open question and its options are in view, and that the answered stop is two screens long."""
+    for width, height in SMALL:
         page.set_viewport_size({"width": width, "height": height})
         next_frame(page)
         top = page.locator("[data-testid=stSidebar]").bounding_box()["y"]
@@ -228,9 +228,29 @@ def test_a_stop_fits_on_a_small_phone(visit, name):
         for option in page.locator(".st-key-options button").all():
             box = option.bounding_box()
             assert box["y"] + box["height"] <= top
-    wrong = next(option for option in stop.options if option != stop.right)
-    page = visit(ANSWERED.format(name, wrong), tab=page, width=390, height=664)
-    for width, height in sizes:
+    for key in (f"option_{stop}_{wrong}", f"on_{stop}", f"on_{stop}"):
+        page.locator(f".st-key-{key} button").tap()
+        settle(page)
+    assert page.locator(".st-key-judged .stMarkdown").count() == 2
+    for width, height in SMALL:
         page.set_viewport_size({"width": width, "height": height})
         next_frame(page)
-        assert page.evaluate("document.querySelector('[data-testid=stMain]').scrollHeight") <= 2 * height
+        assert page.evaluate("document.querySelector('[data-testid=stMain]').scrollHeight") <= 2 * height, (width, stop)
+
+
+def check_stops_fit(visit, address: str, stops: list[tuple[str, str]]) -> None:
+    page = None
+    for stop, wrong in stops:
+        query, phone = f"lesson?stop={stop}", {"has_touch": True, "is_mobile": True}
+        page = visit(query, tab=page, network=address, width=390, height=664, **phone)
+        check_stop_fits(page, stop, wrong)
+
+
+def test_a_stop_fits_on_a_small_phone(visit, server):
+    check_stops_fit(visit, server, IN_ENGLISH)
+
+
+@pytest.mark.parametrize("language", IN_TRANSLATIONS)
+def test_a_translated_stop_fits_on_a_small_phone(visit, language):
+    with running(ROOT / "app.py", RAMANUJAN_LANGUAGE=language) as address:
+        check_stops_fit(visit, address, IN_TRANSLATIONS[language])

@@ -184,7 +184,7 @@ def check_votes(desk: object, phone: object) -> None:
     press("ask")
     phone.locator(".st-key-class_phone [role=radiogroup] label").nth(1).click()
     phone.get_by_text("Your answer counts").wait_for()
-    desk.get_by_text("1 of 1 here has answered").wait_for()
+    desk.get_by_text("Answers: 1 of 1").wait_for()
     press("reveal")
     desk.get_by_text("1 of 1, 100\u202f%").first.wait_for()
     phone.get_by_text("1 of 1, 100\u202f%").first.wait_for()

@@ -120,7 +120,7 @@ def test_a_second_vote_is_shown_and_downloaded(lecturer, school):
         assert STOP.question in words(student.run())
         answer(student, option)
         assert "Your answer counts" in words(student)
-    assert "3 of 3 here have answered" in words(lecturer.run())
+    assert "Answers: 3 of 3" in words(lecturer.run())
     for page in (lecturer, *students):
         assert not page.get("progress")
         assert STOP.explanation() not in words(page)
@@ -135,7 +135,7 @@ def test_a_second_vote_is_shown_and_downloaded(lecturer, school):
         assert "Second vote" in words(student.run())
         assert student.radio[0].value is None
         answer(student, option)
-    assert "Second vote. 3 of 3" in words(lecturer.run())
+    assert "Second vote. Answers: 3 of 3" in words(lecturer.run())
     press(lecturer, "reveal")
     for page in (lecturer, students[0].run()):
         assert "Second vote" in words(page)

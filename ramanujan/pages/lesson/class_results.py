@@ -105,7 +105,7 @@ def draw_commonest_mistake(access: str, stop: Stop, vote: Vote) -> None:
     wrong_options = [option for option in stop.options if option != stop.right]
     commonest = max(wrong_options, key=votes.__getitem__)
     if votes[commonest]:
-        sentence = _("**Chosen most of the wrong answers:** {label}\\\n{reply}")
+        sentence = _("**Most common wrong answer:** {label}\\\n{reply}")
         st.markdown(sentence.format(label=stop.options[commonest], reply=stop.reply(commonest)))
 
 
@@ -173,9 +173,8 @@ def storage_sentence(expires: float, *, is_browser_storing: bool = True) -> str:
 
 def answers_sentence(now: ClassQuestion) -> str:
     """Return the number of students present and of answers, as a sentence."""
-    sentence = ngettext(
-        "{answered} of {present} here has answered.", "{answered} of {present} here have answered.", now.present
-    ).format(answered=now.answered, present=now.present)
+    # TRANSLATORS: how many of the students have answered: 12 of 30.
+    sentence = _("Answers: {answered} of {present}.").format(answered=now.answered, present=now.present)
     return " ".join((_("Second vote."), sentence)) if now.vote.is_second else sentence
 
 

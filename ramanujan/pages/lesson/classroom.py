@@ -42,6 +42,8 @@ KEY_NAMES = "<style>:root {{ {} }}</style>".format("; ".join(f'{key}: "{name}"' 
 """The names of the two keys in the labels of the moves, for page.css. Streamlit writes them in English."""
 _DRAWN = "class_drawn"
 """Session state: the stop whose machine the phone shows, and whether the machine runs."""
+_OPEN = "class_is_open"
+"""Session state: whether the class existed when the phone's page was last drawn."""
 _LAST_STOP = "class_seen"
 """Session state: the stop of the class that this desk last read."""
 _ENDED = "class_ended"
@@ -67,10 +69,12 @@ def draw_phone(show: Callable[..., None]) -> None:
 
 def _draw_student_page(seat: Seat, show: Callable[..., None]) -> None:
     """Draw the current question of a student, and the machine of its stop."""
-    visible = None
+    question = None
     with suppress(ClassError):
-        visible = _visible_machine(class_session.question(seat.code))
+        question = class_session.question(seat.code)
+    visible = _visible_machine(question)
     st.session_state[_DRAWN] = visible
+    st.session_state[_OPEN] = question is not None
     with st.container(key="class_phone"):
         st.html(NOTHING_TO_SET)
         above = st.container()
@@ -447,6 +451,9 @@ def _draw_seat() -> None:
         run_or_refuse(class_session.take_seat, seat.code)
         st.rerun()
     except ClassError as error:
+        # The machine and the date of deletion are drawn outside of this fragment.
+        if st.session_state[_OPEN]:
+            st.rerun()
         st.warning(str(error))
     else:
         # The stop's text and machine are drawn outside of this fragment, so a new stop needs a rerun of the page.

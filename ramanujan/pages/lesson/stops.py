@@ -188,7 +188,7 @@ def containers(
 ) -> tuple[AbstractContextManager[Any], AbstractContextManager[Any], AbstractContextManager[Any]]:
     """Return the containers for words, picture and reason. Machines in a row need the full width."""
     if _arrangement(stop, running) in _SEVERAL.values():
-        return st.container(), st.container(), st.container()
+        return st.container(), st.container(), st.container(key="reason")
     if display_mode.is_projector():
         picture, words = display_mode.picture_and_words(3 if running else 2)
     else:
@@ -233,13 +233,13 @@ def draw_verdict(stop: Stop, chosen: str, phase: str) -> None:
         if is_right:
             sentence = _("Your prediction was right.")
             st.markdown(f":green[:material/check_circle: **{sentence}**] {stop.options[stop.right]}")
-        else:
+        elif phase == progress.MISSED:
             sentence = _("Your prediction was different. {reply}").format(reply=stop.reply(chosen))
             st.markdown(f"{prediction}\\\n{sentence}")
-        if phase == progress.MISSED:
             _draw_moves(stop, chosen, _("Show the answer"), progress.ANSWERED)
-        elif not is_right:
+        else:
             sentence = stop.options[stop.right]
+            st.markdown(f"{prediction}\\\n{stop.reply(chosen)}")
             st.markdown(_(":green[:material/check_circle: **Right answer:**] {option}").format(option=sentence))
     # The clicked button has disappeared with the focus, so announce the result to a screen reader.
     components.publish(f"told_{stop.id}_published", {"announce": {"sentence": sentence, "urgent": True}})
