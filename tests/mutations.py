@@ -184,8 +184,8 @@ MUTATIONS = [
     Mutation(
         "a class counts as present who left three minutes ago",
         "../lesson/classes.py",
-        "PRESENT = 20.0",
-        "PRESENT = 200.0",
+        "PRESENCE_DURATION = 20.0",
+        "PRESENCE_DURATION = 200.0",
         "recent_request",
     ),
     Mutation(

@@ -79,8 +79,9 @@ class Picture:
 
 
 def middle(box: list[float]) -> float:
-    """The horizontal centre of a box."""
-    return (box[0] + box[2]) / 2
+    """The horizontal centre of a box, the list of its left, upper, right and lower edge."""
+    left, _upper, right, _lower = box
+    return (left + right) / 2
 
 
 def places(drawn: dict) -> dict[str, float]:
@@ -89,22 +90,21 @@ def places(drawn: dict) -> dict[str, float]:
     return {"block": middle(drawn["block"]), "slab": middle(drawn["slab"]), **rollers}
 
 
-def length(arrow: list[float] | None) -> float:
-    """The length of an arrow in pixels, positive to the right.
-
-    An arrow is the list of its left, top, right and bottom edge, and of the x and y of its tail.
-    """
+def length(arrow: dict[str, list[float]] | None) -> float:
+    """The length of an arrow in pixels, positive to the right. An arrow has a `box` and a `tail`."""
     if arrow is None:
         return 0.0
-    left, _, right, _, tail, _ = arrow
+    left, _upper, right, _lower = arrow["box"]
+    tail, _y = arrow["tail"]
     return right - left if abs(tail - left) < abs(tail - right) else left - right
 
 
-def upwards(arrow: list[float] | None) -> float:
-    """The length of an upright arrow in pixels, positive upwards. See `length` for the list."""
+def upwards(arrow: dict[str, list[float]] | None) -> float:
+    """The length of an upright arrow in pixels, positive upwards."""
     if arrow is None:
         return 0.0
-    _, upper, _, lower, _, tail = arrow
+    _left, upper, _right, lower = arrow["box"]
+    _x, tail = arrow["tail"]
     return lower - upper if abs(tail - lower) < abs(tail - upper) else upper - lower
 
 

@@ -78,8 +78,8 @@ def check_lasting_seat(tab: Page, course: CoursePage, opened: Class) -> None:
             choose(option)
         expect(option.locator("input")).to_be_checked(timeout=20_000)
     assert tab.frame_locator("iframe").get_by_text("in a tab of its own").count() == 0
-    assert shared().seats(opened.key).taken == 1
-    assert shared().question(opened.code).answered == 1
+    assert shared().count_seats(opened.key).taken == 1
+    assert shared().read_question(opened.code).answered == 1
 
 
 @pytest.mark.parametrize(("engine", "secure"), [("chromium", False), ("firefox", True)])

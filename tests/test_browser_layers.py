@@ -45,7 +45,7 @@ def arrows(
         mantissa = scale["value"] / 10 ** math.floor(math.log10(scale["value"]) + 1e-9)
         assert round(mantissa, 9) in (1, 2, 5)
         assert scale["text"].partition("\u202f")[2] == unit
-        per_unit = size(scale["box"]) / scale["value"]
+        per_unit = size(scale["arrow"]) / scale["value"]
         expected = values(picture)
         assert per_unit > 0
         assert lines.keys() == expected.keys(), f"The group .{layer} of stage.html lacks marks of MARKS, or has others."
@@ -120,12 +120,14 @@ def coordinates(picture: Picture, drawn: dict) -> Pairs:
         "slab": (length(marks["slab_value"] and marks["slab_value"]["arrow"]), slab * pixels),
         "R": (math.dist(radius["start"], radius["end"]), R * pixels),
     }
-    assert marks["X_sense"]["arrow"][0] < marks["X_sense"]["start"][0] - 3
+    left_edge = marks["X_sense"]["arrow"]["box"][0]
+    assert left_edge < marks["X_sense"]["start"][0] - 3
     for name, angle in (("hoop", phi), ("cylinder", phi), ("top", Phi)):
         (x, y), sense = drawn["rollers"][name]["centre"], marks[f"{name}_sense"]
         assert marks[f"{name}_radius"]["start"] == pytest.approx([x, y], abs=PIXEL)
         assert sense["start"][0] > x
-        assert sense["arrow"][3] > sense["start"][1] + 2
+        lower_edge = sense["arrow"]["box"][3]
+        assert lower_edge > sense["start"][1] + 2
         right, down = np.subtract(marks[f"{name}_radius"]["end"], marks[f"{name}_radius"]["start"])
         pairs[f"{name} along"] = right, R * math.sin(angle) * pixels
         pairs[f"{name} upwards"] = -down, R * math.cos(angle) * pixels

@@ -103,8 +103,10 @@ def test_all_that_is_drawn_agrees_with_the_core(picture, some):
             check_clock(picture, drawn, home, periods)
             check_weights(picture, drawn)
             for name in ROLLERS:
-                if arrow := drawn["arrows"][name]:
-                    assert arrow[4] == pytest.approx(places(drawn)[name], abs=HALF_A_PIXEL), "it begins at the axis"
+                arrow = drawn["arrows"][name]
+                if arrow:
+                    tail, _y = arrow["tail"]
+                    assert tail == pytest.approx(places(drawn)[name], abs=HALF_A_PIXEL), "it begins at the axis"
         assert home["cylinder"] - home["hoop"] == pytest.approx(drawn_spacing(machine.radius), rel=1e-3)
         assert home["slab"] == pytest.approx((home["cylinder"] + home["hoop"]) / 2, rel=1e-3)
         (least, left), (most, right) = drawn["ticks"][0], drawn["ticks"][-1]
@@ -122,7 +124,8 @@ def check_weights(picture: Picture, drawn: dict) -> None:
         if arrow and contact in normal:
             x, y = drawn["rollers"][contact.split("_")[0]]["centre"]
             place = y - R if contact.endswith("slab") else y + R
-            assert [middle(arrow), arrow[5]] == pytest.approx([x, place], abs=2 * HALF_A_PIXEL), name
+            _x, tail = arrow["tail"]
+            assert [middle(arrow["box"]), tail] == pytest.approx([x, place], abs=2 * HALF_A_PIXEL), name
     masses = dict.fromkeys(("block", "slab", "top"), machine.m) | dict.fromkeys(("hoop", "cylinder"), machine.m_prime)
     check_floor(picture, drawn, masses, 9.81)
 
@@ -230,7 +233,7 @@ def test_the_smallest_push_moves_the_picture_least(pushed):
 
 def check_arrows(arrows: dict, expected: dict, scale: dict) -> None:
     """Check the lengths of horizontal arrows by their scale arrow."""
-    per_unit = length(scale["box"]) / scale["value"]
+    per_unit = length(scale["arrow"]) / scale["value"]
     assert arrows.keys() == expected.keys()
     for name, value in expected.items():
         assert length(arrows[name]) == pytest.approx(float(value) * per_unit, abs=2 * HALF_A_PIXEL), name

@@ -85,10 +85,10 @@ def test_two_processes_share_a_class_and_a_killed_server_loses_no_vote(server: S
     acknowledged = dict([votes.get()])
     server.kill()
     server.start()
-    acknowledged |= in_a_file.told_by(others, votes)
+    acknowledged |= in_a_file.collect_confirmed(others, votes)
     assert len(acknowledged) == 60
     school.show(opened.key, Phase.REVEALED)
-    assert school.distribution(opened.code, "faster") == {o: Counter(acknowledged.values())[o] for o in OPTIONS}
+    assert school.read_distribution(opened.code, "faster") == {o: Counter(acknowledged.values())[o] for o in OPTIONS}
 
 
 @pytest.mark.parametrize(

@@ -23,7 +23,7 @@ from ramanujan.lesson.classes import (
     DAY,
     MINUTE,
     NETWORK_SEATS,
-    PRESENT,
+    PRESENCE_DURATION,
     STUDENTS,
     ClassError,
     CrowdError,
@@ -67,11 +67,11 @@ def opened(school: classes.Classes) -> classes.Class:
 
 
 def answered(school: classes.Classes, opened: classes.Class) -> int:
-    return school.question(opened.code).answered
+    return school.read_question(opened.code).answered
 
 
 def chosen(school: classes.Classes, seat: Seat) -> str | None:
-    return school.answer_of(seat, school.question(seat.code))
+    return school.read_answer(seat, school.read_question(seat.code))
 
 
 def no_such_code(code: str) -> str:
@@ -114,7 +114,7 @@ def answer_until_killed(path: Path, code: str, votes: multiprocessing.connection
         signal.pause()
 
 
-def told_by(processes: list, votes: multiprocessing.Queue) -> dict[str, str]:
+def collect_confirmed(processes: list, votes: multiprocessing.Queue) -> dict[str, str]:
     """Wait until all processes have succeeded. Return the last confirmed answer of each voter."""
     acknowledged = {}
     while any(process.is_alive() for process in processes) or not votes.empty():
@@ -141,14 +141,14 @@ def test_two_hundred_students_lose_no_vote_when_a_process_is_killed(school, open
     for process in others:
         process.start()
     os.kill(victim.pid, signal.SIGKILL)
-    acknowledged = {before_death: "neither"} | told_by(others, votes)
+    acknowledged = {before_death: "neither"} | collect_confirmed(others, votes)
     victim.join()
     assert victim.exitcode == -signal.SIGKILL
     assert len(acknowledged) == 201
     assert answered(school, opened) == 201
     school.show(opened.key, Phase.REVEALED)
     # The count contains the last confirmed answer of each student, and no unfinished one.
-    assert school.distribution(opened.code, "faster") == {o: Counter(acknowledged.values())[o] for o in OPTIONS}
+    assert school.read_distribution(opened.code, "faster") == {o: Counter(acknowledged.values())[o] for o in OPTIONS}
 
 
 def test_timeout_raises_a_sentence(school, opened, monkeypatch):
@@ -169,24 +169,24 @@ def test_the_distribution_is_hidden_until_it_is_revealed(school, opened):
     school.vote(seat, "faster", "plain")
     for asked in (None, FIRST, Vote(1, 2)):
         with pytest.raises(ClassError, match="not been shown"):
-            school.distribution(opened.code, "faster", asked)
+            school.read_distribution(opened.code, "faster", asked)
     with pytest.raises(ClassError, match="not been shown"):
-        school.changes(opened.code, "faster", "plain")
-    assert school.results_for_lecturer(opened.key) == []
+        school.count_changes(opened.code, "faster", "plain")
+    assert school.read_results_for_lecturer(opened.key) == []
     # The public data do not depend on the answers.
-    before = school.question(opened.code)
+    before = school.read_question(opened.code)
     school.vote(seat, "faster", "machine")
-    assert school.question(opened.code) == before
+    assert school.read_question(opened.code) == before
     assert (before.answered, before.present) == (1, 1)
 
     school.show(opened.key, Phase.REVEALED)
-    assert school.distribution(opened.code, "faster") == {"machine": 1, "plain": 0, "neither": 0}
+    assert school.read_distribution(opened.code, "faster") == {"machine": 1, "plain": 0, "neither": 0}
     school.ask_again(opened.key)
     # The first vote is public. The second is hidden, also in the comparison.
-    assert school.distribution(opened.code, "faster", FIRST) == {"machine": 1, "plain": 0, "neither": 0}
+    assert school.read_distribution(opened.code, "faster", FIRST) == {"machine": 1, "plain": 0, "neither": 0}
     for refused in (
-        lambda: school.distribution(opened.code, "faster", Vote(1, 2)),
-        lambda: school.changes(opened.code, "faster", "machine"),
+        lambda: school.read_distribution(opened.code, "faster", Vote(1, 2)),
+        lambda: school.count_changes(opened.code, "faster", "machine"),
     ):
         with pytest.raises(ClassError, match="not been shown"):
             refused()
@@ -197,9 +197,9 @@ def test_a_hidden_first_vote_is_revealed_with_the_second(school, opened):
     school.vote(seat, "faster", "plain")
     school.ask_again(opened.key)
     with pytest.raises(ClassError, match="not been shown"):
-        school.distribution(opened.code, "faster", FIRST)
+        school.read_distribution(opened.code, "faster", FIRST)
     school.show(opened.key, Phase.REVEALED)
-    assert school.distribution(opened.code, "faster", FIRST)["plain"] == 1
+    assert school.read_distribution(opened.code, "faster", FIRST)["plain"] == 1
 
 
 def test_first_and_second_vote_are_compared_student_by_student(school, opened):
@@ -221,10 +221,10 @@ def test_first_and_second_vote_are_compared_student_by_student(school, opened):
             if option := options[number - 1]:
                 school.vote(seat, "faster", option, Vote(1, number))
         school.ask_again(opened.key) if number == 1 else school.show(opened.key, Phase.REVEALED)
-    assert school.distribution(opened.code, "faster", FIRST) == {"machine": 2, "plain": 4, "neither": 2}
-    assert school.distribution(opened.code, "faster", Vote(1, 2)) == {"machine": 5, "plain": 1, "neither": 2}
+    assert school.read_distribution(opened.code, "faster", FIRST) == {"machine": 2, "plain": 4, "neither": 2}
+    assert school.read_distribution(opened.code, "faster", Vote(1, 2)) == {"machine": 5, "plain": 1, "neither": 2}
     changes = {(False, True): 3, (True, False): 1, (True, True): 1, (False, False): 2}
-    assert school.changes(opened.code, "faster", "machine") == changes
+    assert school.count_changes(opened.code, "faster", "machine") == changes
 
 
 def test_an_answer_is_changed_until_the_reveal_and_a_late_one_is_refused_with_its_reason(school, opened):
@@ -251,14 +251,14 @@ def test_an_answer_is_changed_until_the_reveal_and_a_late_one_is_refused_with_it
         vote(asked=Vote(1, 2))
     # A return to a stop restores its state.
     school.ask(opened.key, "faster", OPTIONS)
-    assert astuple(school.question(opened.code))[:3] == ("faster", Vote(1, 2), Phase.REVEALED)
+    assert astuple(school.read_question(opened.code))[:3] == ("faster", Vote(1, 2), Phase.REVEALED)
     with pytest.raises(ClassError, match="already voted twice"):
         school.ask_again(opened.key)
 
 
 def test_a_solved_question_cannot_be_asked_again(school, opened):
     school.show(opened.key, Phase.SOLVED)
-    assert astuple(school.question(opened.code))[1:3] == (FIRST, Phase.SOLVED)
+    assert astuple(school.read_question(opened.code))[1:3] == (FIRST, Phase.SOLVED)
     with pytest.raises(ClassError, match="already seen the right answer"):
         school.ask_again(opened.key)
 
@@ -266,7 +266,7 @@ def test_a_solved_question_cannot_be_asked_again(school, opened):
 def test_a_class_without_a_question_accepts_no_answer(school):
     opened = school.open_class()
     seat = school.join(opened.code)
-    assert school.question(opened.code).stop is None
+    assert school.read_question(opened.code).stop is None
     for act in (
         lambda: school.vote(seat, "faster", "plain"),
         lambda: school.show(opened.key, Phase.REVEALED),
@@ -301,7 +301,7 @@ def test_repeating_a_counted_answer_after_the_reveal_is_accepted(school, opened)
     school.vote(seat, "faster", "plain", FIRST)
     school.ask_again(opened.key)
     school.vote(seat, "faster", "plain", FIRST)
-    assert school.distribution(opened.code, "faster", FIRST)["plain"] == 1
+    assert school.read_distribution(opened.code, "faster", FIRST)["plain"] == 1
     for voter, option in ((seat.voter, "machine"), (other.voter, "plain")):
         with pytest.raises(ClassError, match="too late"):
             school.vote(Seat(opened.code, voter), "faster", option, FIRST)
@@ -333,7 +333,7 @@ def test_a_network_gets_seats_as_fast_as_a_lecture_hall_takes_them(school, opene
     # A student with a seat keeps it, and other students need not wait.
     assert school.join(opened.code, "phone 0", addresses[0]).voter == "phone 0"
     school.join(opened.code, "another", elsewhere)
-    seats = school.seats(opened.key)
+    seats = school.count_seats(opened.key)
     assert (seats.taken, seats.lately) == (NETWORK_SEATS + 1, NETWORK_SEATS + 1)
     # They joined within half a minute, so the first seat is free half a minute later.
     clock.now += MINUTE / 2 + 0.5
@@ -352,15 +352,15 @@ def test_lecturer_closes_the_class_and_removes_absent_students_with_their_answer
     for seat in empty:
         school.vote(seat, "faster", "plain")
     school.vote(stays, "faster", "machine")
-    seats = school.seats(opened.key)
+    seats = school.count_seats(opened.key)
     assert (seats.taken, seats.present, seats.lately, seats.is_open) == (39, 39, 39, True)
     school.let_join(opened.key, False)
-    clock.now += PRESENT + 1
+    clock.now += PRESENCE_DURATION + 1
     school.join(opened.code, "stays")
     with pytest.raises(ClassError, match="closed this class to newcomers"):
         school.join(opened.code, "script 99")
     school.remove_absent(opened.key)
-    seats = school.seats(opened.key)
+    seats = school.count_seats(opened.key)
     assert (seats.taken, seats.present, seats.is_open) == (1, 1, False)
     for act in (lambda: chosen(school, empty[0]), lambda: school.vote(empty[0], "faster", "plain")):
         with pytest.raises(SeatError, match="did not count"):
@@ -369,11 +369,11 @@ def test_lecturer_closes_the_class_and_removes_absent_students_with_their_answer
     back = school.join(opened.code, "script 0")
     assert chosen(school, back) is None
     school.show(opened.key, Phase.REVEALED)
-    assert school.distribution(opened.code, "faster") == {"machine": 1, "plain": 0, "neither": 0}
+    assert school.read_distribution(opened.code, "faster") == {"machine": 1, "plain": 0, "neither": 0}
     # Results that the class has seen do not change.
-    clock.now += PRESENT + 1
+    clock.now += PRESENCE_DURATION + 1
     school.remove_absent(opened.key)
-    assert school.distribution(opened.code, "faster")["machine"] == 1
+    assert school.read_distribution(opened.code, "faster")["machine"] == 1
 
 
 def test_only_the_key_opens_the_lecturers_desk(school, opened):
@@ -392,12 +392,12 @@ def test_only_the_key_opens_the_lecturers_desk(school, opened):
     ]
     for key in wrong:
         reveal = partial(school.show, phase=Phase.REVEALED)
-        for act in (reveal, school.ask_again, school.close, school.seats, school.results_for_lecturer):
+        for act in (reveal, school.ask_again, school.close, school.count_seats, school.read_results_for_lecturer):
             with pytest.raises(ClassError, match="belongs to no class"):
                 act(key)
         with pytest.raises(ClassError, match="belongs to no class"):
             school.ask(key, "faster", OPTIONS)
-    assert school.question(opened.code).stop == "faster"
+    assert school.read_question(opened.code).stop == "faster"
 
 
 def test_database_does_not_contain_the_lecturers_key(school, opened):
@@ -427,8 +427,8 @@ def test_a_browser_is_a_different_voter_in_each_class(school, opened):
         school.vote(seat, "faster", option)
     school.vote(neighbour, "faster", "plain")
     school.show(opened.key, Phase.REVEALED)
-    assert school.distribution(opened.code, "faster") == {"machine": 0, "plain": 1, "neither": 1}
-    assert school.question(opened.code).present == 2
+    assert school.read_distribution(opened.code, "faster") == {"machine": 0, "plain": 1, "neither": 1}
+    assert school.read_question(opened.code).present == 2
     assert school.join(other.code, hash_browser("phone", other.code)).voter != tabs[0].voter
 
 
@@ -439,11 +439,11 @@ def test_students_with_a_recent_request_count_as_present(school, opened, clock):
     clock.now += 19
     chosen(school, stays)
     clock.now += 2
-    question = school.question(opened.code)
+    question = school.read_question(opened.code)
     assert (question.answered, question.present) == (1, 1)
     school.show(opened.key, Phase.REVEALED)
     # The votes of absent students count, too.
-    assert school.distribution(opened.code, "faster")["plain"] == 2
+    assert school.read_distribution(opened.code, "faster")["plain"] == 2
 
 
 def test_a_stop_that_is_asked_again_later_begins_a_new_vote_and_keeps_the_old_ones(school, opened, clock):
@@ -459,10 +459,10 @@ def test_a_stop_that_is_asked_again_later_begins_a_new_vote_and_keeps_the_old_on
     clock.now += 60
     school.ask(opened.key, "faster", OPTIONS, anew=True)
     assert chosen(school, seat) is None
-    assert not school.question(opened.code).vote.is_second
+    assert not school.read_question(opened.code).vote.is_second
     school.vote(seat, "faster", "machine", Vote(2))
     school.show(opened.key, Phase.REVEALED)
-    first, second, third = school.results_for_lecturer(opened.key)
+    first, second, third = school.read_results_for_lecturer(opened.key)
     votes = [{option: n for option, n in each.items() if n} for each in (first.first, first.second, third.first)]
     assert votes == [{"plain": 1}, {"neither": 1}, {"machine": 1}]
     assert [each.stop for each in (first, second, third)] == ["faster", "energy", "faster"]
@@ -478,13 +478,13 @@ def test_expired_class_is_deleted_with_all_its_rows(school, opened, clock):
     seat = school.join(opened.code)
     school.vote(seat, "faster", "plain")
     clock.now += DAY - 1
-    assert school.code_of(opened.key) == opened.code
+    assert school.find_code(opened.key) == opened.code
     clock.now += 1
     for act in (
-        lambda: school.question(opened.code),
+        lambda: school.read_question(opened.code),
         lambda: school.join(opened.code),
         lambda: school.vote(seat, "faster", "plain"),
-        lambda: school.expires(opened.code),
+        lambda: school.read_expiry(opened.code),
     ):
         with pytest.raises(ClassError, match=r"has ended|may have ended"):
             act()
@@ -497,9 +497,9 @@ def test_closed_class_is_deleted_at_once(school, opened):
     school.vote(seat, "faster", "plain")
     school.close(opened.key)
     with pytest.raises(ClassError, match=r"has ended|may have ended"):
-        school.question(opened.code)
+        school.read_question(opened.code)
     assert left(school) == {"class": 1, "question": 0, "voter": 0, "vote": 0}
-    assert school.question(other.code).present == 0
+    assert school.read_question(other.code).present == 0
 
 
 def left(school: classes.Classes) -> dict[str, int]:
@@ -524,7 +524,7 @@ def test_delete_expired_overwrites_the_answers_and_creates_no_database(school, o
     assert seat.voter.encode() not in kept_bytes(school)
     assert opened.code.encode() not in kept_bytes(school)
     assert left(school) == {"class": 1, "question": 0, "voter": 0, "vote": 0}
-    assert school.expires(lasting.code) == clock.now + 29 * DAY
+    assert school.read_expiry(lasting.code) == clock.now + 29 * DAY
     unused = classes.Classes(school._store.path.parent / "unused" / "classes.sqlite", clock)
     unused.delete_expired()
     assert not unused._store.path.parent.exists()
@@ -548,13 +548,13 @@ def test_lecturer_gets_a_class_during_a_flood_of_openings(school, opened, clock)
         flood.append(school.open_class(address=f"10.0.{number // NETWORK_SEATS}.7"))
     assert left(school)["class"] == CLASSES
     # The oldest classes without students have been deleted, including the lecturer's.
-    assert school.code_of(flood[-1].key)
+    assert school.find_code(flood[-1].key)
     for gone in (lecture, flood[0]):
         with pytest.raises(ClassError, match="belongs to no class"):
-            school.code_of(gone.key)
+            school.find_code(gone.key)
     again = school.open_class(address="10.9.0.1")
     assert school.join(again.code)
-    assert school.code_of(opened.key)
+    assert school.find_code(opened.key)
 
 
 def test_the_classes_of_a_network_are_limited_and_the_network_is_deleted(school, clock):
@@ -603,7 +603,7 @@ def test_an_upgrade_of_the_app_preserves_a_class(school, opened):
     # The upgraded class may have had students, so it is not deleted for another class.
     for number in range(CLASSES):
         school.open_class(address=f"10.0.{number // NETWORK_SEATS}.7")
-    assert school.code_of(opened.key)
+    assert school.find_code(opened.key)
 
 
 def test_a_deleted_or_damaged_file_accepts_no_vote(school, opened):

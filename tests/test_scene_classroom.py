@@ -163,7 +163,7 @@ def test_a_second_vote_is_shown_and_downloaded(lecturer, school):
         assert f"{STOP.options[WRONG]}\\\n{STOP.reply(WRONG)}" in words(page)
         assert len(page.get("progress")) == 2 * len(STOP.options)
 
-    rows = list(csv.DictReader(io.StringIO(write_csv(school.results_for_lecturer(address(lecturer)["lecturer"])))))
+    rows = list(csv.DictReader(io.StringIO(write_csv(school.read_results_for_lecturer(address(lecturer)["lecturer"])))))
     votes = {RIGHT: ("1", "2", "yes"), WRONG: ("2", "1", "no")}
     assert {row["option"]: (row["first_vote"], row["second_vote"], row["right"]) for row in rows} == {
         option: votes.get(option, ("0", "0", "no")) for option in STOP.options
@@ -188,7 +188,7 @@ def test_a_late_answer_gets_its_reason_and_does_not_count(lecturer, school):
     press(lecturer, "reveal")
     answer(second, RIGHT)
     assert "Your answer came too late" in words(second)
-    assert sum(school.distribution(code_of(lecturer), STOP.id).values()) == 1
+    assert sum(school.read_distribution(code_of(lecturer), STOP.id).values()) == 1
 
 
 def test_a_closed_vote_shows_the_own_vote_and_the_reason(lecturer):
@@ -315,7 +315,7 @@ def test_the_desk_closes_the_class_and_a_removed_phone_joins_again(lecturer, sch
     assert "closed this class to newcomers" in words(late)
     press(lecturer, "bar")
     with monkeypatch.context() as later:
-        later.setattr(classes, "PRESENT", -1.0)
+        later.setattr(classes, "PRESENCE_DURATION", -1.0)
         press(lecturer, "clear")
     assert "0 students have joined" in words(lecturer)
     assert "The first question will appear here" in words(student.run())
@@ -398,12 +398,12 @@ def test_the_desk_takes_the_class_back_view_by_view(lecturer, school):
     for name in ("ask", "reveal", "run", "solve", "next"):
         press(lecturer, name)
         assert keys() == [("pageup", name == "ask"), ("pagedown", False)]
-    shown = [school.question(code_of(lecturer)).phase]
+    shown = [school.read_question(code_of(lecturer)).phase]
     for _ in range(4):
         press(lecturer, "back")
-        shown.append(school.question(code_of(lecturer)).phase)
+        shown.append(school.read_question(code_of(lecturer)).phase)
     assert shown == [0, 3, 2, 1, 0]
-    assert school.question(code_of(lecturer)).stop == lecturer.session_state["stop"] == STOP.id
+    assert school.read_question(code_of(lecturer)).stop == lecturer.session_state["stop"] == STOP.id
     assert STOP.question in words(student.run())
     assert not student.radio
     press(lecturer, "reveal")
@@ -413,7 +413,7 @@ def test_the_desk_takes_the_class_back_view_by_view(lecturer, school):
     lecturer.run()
     assert keys() == [("pageup", False), ("pagedown", False)]
     press(lecturer, "back")
-    assert school.question(code_of(lecturer)).stop == STOP.id != lecturer.session_state["stop"]
+    assert school.read_question(code_of(lecturer)).stop == STOP.id != lecturer.session_state["stop"]
 
 
 def test_at_the_end_the_class_sees_its_results_without_the_code(lecturer, school):
@@ -470,7 +470,7 @@ def test_a_class_at_an_unknown_stop_continues_the_lesson(lecturer, school):
         assert "this version of the app" not in words(page)
     school.finish(key)
     assert "No right answer was shown" in words(student.run())
-    rows = list(csv.DictReader(io.StringIO(write_csv(school.results_for_lecturer(key)))))
+    rows = list(csv.DictReader(io.StringIO(write_csv(school.read_results_for_lecturer(key)))))
     assert [(row["option"], row["first_vote"], row["right"]) for row in rows] == [("yes", "0", ""), ("no", "1", "")]
 
 

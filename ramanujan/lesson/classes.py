@@ -6,7 +6,7 @@
     classes.ask(opened.key, "faster", ["machine", "plain"])
     classes.vote(seat, "faster", "plain")
     classes.show(opened.key, Phase.REVEALED)
-    classes.distribution(opened.code, "faster")     # {"machine": 0, "plain": 1}
+    classes.read_distribution(opened.code, "faster")     # {"machine": 0, "plain": 1}
     classes.ask_again(opened.key)                   # the second vote, after the discussion
 
 A refused action raises `ClassError` with one sentence. Several processes share one database (`class_store`). An expired
@@ -39,9 +39,9 @@ CLASSES = 200
 DAY = 24 * 3600.0
 LIFETIMES = (DAY, 7 * DAY, 30 * DAY)
 """The lifetimes of a class, the default first [s]."""
-PRESENT = 20.0
+PRESENCE_DURATION = 20.0
 """A student counts as present for this long after a request [s]."""
-HEARD_EVERY = 5.0
+PRESENCE_INTERVAL = 5.0
 """The shortest interval between two updates of a student's last request [s]; phones send twice as many requests."""
 MINUTE = 60.0
 
@@ -119,11 +119,11 @@ class Classes:
 
     def close(self, key: str) -> None:
         """Delete a class and all its rows."""
-        code = self.code_of(key)
+        code = self.find_code(key)
         with self._store.writing() as execute:
             execute("DELETE FROM class WHERE code = ?", (code,))
 
-    def code_of(self, key: str) -> str:
+    def find_code(self, key: str) -> str:
         """Return the code of the class that belongs to a lecturer's key."""
         code, secret = class_codes.split_key(key)
         rows = self._store.read("SELECT key_hash FROM class WHERE code = ? AND expires > ?", (code, self._clock()))
@@ -137,7 +137,7 @@ class Classes:
 
         An earlier question is resumed, or asked again if `anew`. Its earlier votes remain in the database.
         """
-        code = self.code_of(key)
+        code = self.find_code(key)
         if not all(_ID.fullmatch(id) for id in (stop, *options)):
             raise ValueError(_("The ids of {stop} must have small letters, digits, - and _ only.").format(stop=stop))
         with self._store.writing() as execute:
@@ -154,7 +154,7 @@ class Classes:
 
     def show(self, key: str, phase: Phase) -> None:
         """Show the current question in a phase, which may be earlier; after REVEALED it takes no more answers."""
-        code = self.code_of(key)
+        code = self.find_code(key)
         with self._store.writing() as execute:
             stop, vote, _options, _reached = _read_current(execute, code)
             present = _count_rows(execute, "voter WHERE code = ? AND heard > ?", code, self._earliest_presence)
@@ -171,7 +171,7 @@ class Classes:
 
     def ask_again(self, key: str) -> None:
         """Begin the second vote on the current question and close the first."""
-        code = self.code_of(key)
+        code = self.find_code(key)
         with self._store.writing() as execute:
             stop, vote, options, reached = _read_current(execute, code)
             if reached == Phase.SOLVED:
@@ -188,11 +188,11 @@ class Classes:
         """Store the desk's view of the machine and the current time, for all screens."""
         self._update_class(key, seen=view, seen_at=self._clock())
 
-    def results_for_lecturer(self, key: str) -> list[ClassResult]:
-        """Return the `results` of the class that belongs to a key."""
-        return self.results(self.code_of(key))
+    def read_results_for_lecturer(self, key: str) -> list[ClassResult]:
+        """Return the results of the class that belongs to a key."""
+        return self.read_results(self.find_code(key))
 
-    def results(self, code: str, least: Phase = Phase.REVEALED) -> list[ClassResult]:
+    def read_results(self, code: str, least: Phase = Phase.REVEALED) -> list[ClassResult]:
         """Return the results of all questions that have reached a phase, in the order of asking."""
         rows = self._store.read(
             "SELECT stop, asking, number, options, asked, present FROM question WHERE code = ? AND reached >= ? "
@@ -214,9 +214,9 @@ class Classes:
             results.append(ClassResult(stop=stop, at=at, present=present, first=first, second=second))
         return results
 
-    def seats(self, key: str) -> Seats:
+    def count_seats(self, key: str) -> Seats:
         """Return the numbers of seats, and whether more students may join."""
-        code = self.code_of(key)
+        code = self.find_code(key)
         query = (
             f"SELECT (SELECT COUNT(*) FROM voter WHERE voter.code = class.code), ({_COUNT_PRESENT}), (SELECT COUNT(*) "
             "FROM voter WHERE voter.code = class.code AND joined > ?), is_open FROM class WHERE code = ?"
@@ -232,7 +232,7 @@ class Classes:
 
     def remove_absent(self, key: str) -> None:
         """Remove all absent students, and their answers to the current question while its result is hidden."""
-        code = self.code_of(key)
+        code = self.find_code(key)
         absent = "voter IN (SELECT voter FROM voter WHERE code = ? AND heard <= ?)"
         with self._store.writing() as execute:
             if _count_rows(execute, "class JOIN question USING (code, stop, asking, number) WHERE code = ?", code):
@@ -271,7 +271,7 @@ class Classes:
             raise ClassError(_no_such_class())
         return seat
 
-    def answer_of(self, seat: Seat, question: ClassQuestion) -> str | None:
+    def read_answer(self, seat: Seat, question: ClassQuestion) -> str | None:
         """Return the student's answer to a question, and mark the student as present."""
         now = self._clock()
         rows = self._store.read(
@@ -282,7 +282,7 @@ class Classes:
         if not rows:
             raise SeatError(_no_seat())
         option, heard = rows[0]
-        if now - heard > HEARD_EVERY:
+        if now - heard > PRESENCE_INTERVAL:
             with self._store.writing() as execute:
                 execute("UPDATE voter SET heard = ? WHERE code = ? AND voter = ?", (now, seat.code, seat.voter))
         return option
@@ -329,7 +329,7 @@ class Classes:
 
     # ---- everybody
 
-    def question(self, code: str) -> ClassQuestion:
+    def read_question(self, code: str) -> ClassQuestion:
         """Return the current question of a class.
 
         Every phone calls this every few seconds, so it is one read by keys.
@@ -347,7 +347,7 @@ class Classes:
             present=present,
         )
 
-    def last_state(self, code: str, stop: str) -> ClassQuestion | None:
+    def read_last_state(self, code: str, stop: str) -> ClassQuestion | None:
         """Return the last state of an earlier question, without its numbers of students; None if it was never asked."""
         query = (
             "SELECT asking, number, phase, reached FROM question WHERE code = ? AND stop = ? "
@@ -359,25 +359,25 @@ class Classes:
         asking, number, phase, reached = rows[0]
         return ClassQuestion(stop, Vote(asking, number), Phase(phase), Phase(reached), answered=0, present=0)
 
-    def expires(self, code: str) -> float:
+    def read_expiry(self, code: str) -> float:
         """Return the time at which the class and all its answers are deleted [s since 1970]."""
         rows = self._store.read("SELECT expires FROM class WHERE code = ? AND expires > ?", (code, self._clock()))
         if not rows:
             raise ClassError(_("The class has ended."))
         return rows[0][0]
 
-    def machine(self, code: str) -> str | None:
+    def read_machine(self, code: str) -> str | None:
         """Return the values of the lecturer's sliders, as a URL query."""
         rows = self._store.read("SELECT machine FROM class WHERE code = ?", (code,))
         return rows[0][0] if rows else None
 
-    def view(self, code: str) -> tuple[str | None, float]:
+    def read_view(self, code: str) -> tuple[str | None, float]:
         """Return the desk's last view and its age [s]."""
         rows = self._store.read("SELECT seen, seen_at FROM class WHERE code = ?", (code,))
         view, stored_at = rows[0] if rows else (None, None)
         return view, self._clock() - (stored_at or 0.0)
 
-    def distribution(self, code: str, stop: str, vote: Vote | None = None) -> dict[str, int]:
+    def read_distribution(self, code: str, stop: str, vote: Vote | None = None) -> dict[str, int]:
         """Return option → number of votes, by default of the last vote whose result has been shown."""
         query = (
             "SELECT options, asking, number FROM question WHERE code = ? AND stop = ? AND reached > 0 "
@@ -389,7 +389,7 @@ class Classes:
                 return self._count_votes(code, stop, shown, options)
         raise ClassError(_("The result of this question has not been shown yet."))
 
-    def changes(self, code: str, stop: str, right: str, asking: int = 1) -> Counter[tuple[bool, bool]]:
+    def count_changes(self, code: str, stop: str, right: str, asking: int = 1) -> Counter[tuple[bool, bool]]:
         """Count the students who voted twice by whether each of their votes was right.
 
         Parameters
@@ -403,7 +403,7 @@ class Classes:
         (right in the first vote, right in the second vote) → number of students
         """
         # This call raises an error if the result has not been shown.
-        self.distribution(code, stop, Vote(asking, 2))
+        self.read_distribution(code, stop, Vote(asking, 2))
         rows = self._store.read(_CHANGES, (right, right, code, stop, asking))
         return Counter({(bool(before), bool(after)): number for before, after, number in rows})
 
@@ -418,11 +418,11 @@ class Classes:
     @property
     def _earliest_presence(self) -> float:
         """A student whose last request is later counts as present [s since 1970]."""
-        return self._clock() - PRESENT
+        return self._clock() - PRESENCE_DURATION
 
     def _update_class(self, key: str, **columns: object) -> None:
         """Set columns of the lecturer's class."""
-        code = self.code_of(key)
+        code = self.find_code(key)
         assignments = ", ".join(f"{name} = ?" for name in columns)
         with self._store.writing() as execute:
             execute(f"UPDATE class SET {assignments} WHERE code = ?", (*columns.values(), code))

@@ -55,22 +55,28 @@ def restore_role() -> None:
     """Read the role from the address, once in a session. Afterwards write the role into the address."""
     if not st.session_state.get(_ADDRESS_WAS_READ):
         st.session_state[_ADDRESS_WAS_READ] = True
-        code = address.current(CLASS)
-        if key := address.current(LECTURER):
-            run_or_refuse(_become_lecturer, key)
-        elif code and address.current(WALL):
-            st.session_state[_WALL] = code.upper()
-        elif code:
-            run_or_refuse(take_seat, code)
-    if key := lecturer_key():
+        _take_role_in_address()
+    key, wall, awaited, seat = lecturer_key(), wall_code(), awaited_class(), student_seat()
+    if key:
         code, _secret = split_key(key)
         _write_address(code, lecturer=key)
-    elif code := wall_code():
-        _write_address(code, wall="on")
-    elif code := awaited_class():
-        _write_address(code)
-    elif seat := student_seat():
+    elif wall:
+        _write_address(wall, wall="on")
+    elif awaited:
+        _write_address(awaited)
+    elif seat:
         _write_address(seat.code)
+
+
+def _take_role_in_address() -> None:
+    """Make this session the lecturer's, the wall or a student's, as the address requests."""
+    code, key = address.current(CLASS), address.current(LECTURER)
+    if key:
+        run_or_refuse(_become_lecturer, key)
+    elif code and address.current(WALL):
+        st.session_state[_WALL] = code.upper()
+    elif code:
+        run_or_refuse(take_seat, code)
 
 
 def lecturer_key() -> str | None:
@@ -99,18 +105,18 @@ def phase_of(stop: Stop) -> Phase | None:
     if key is None:
         return None
     try:
-        last = shared().last_state(shared().code_of(key), stop.id)
+        last = shared().read_last_state(shared().find_code(key), stop.id)
     except ClassError:
         last = None
     return last.phase if last else Phase.ASKED
 
 
-def question(code: str) -> ClassQuestion:
+def read_question(code: str) -> ClassQuestion:
     """Return the current question of a class; no question if this version of the app does not have its stop.
 
     The class may have begun under another version of the app, before an upgrade or on another server.
     """
-    current = shared().question(code)
+    current = shared().read_question(code)
     if current.stop in (None, END) or lesson.has_stop(current.stop):
         return current
     return replace(current, stop=None, is_known=False)
@@ -224,7 +230,7 @@ def send_view(stop: Stop, view: dict[str, Any]) -> None:
         return
     code, _secret = split_key(key)
     with suppress(ClassError):
-        if shared().question(code).stop != stop.id:
+        if shared().read_question(code).stop != stop.id:
             return
         message = {"stop": stop.id, **view}
         text = json.dumps(message)
@@ -234,7 +240,7 @@ def send_view(stop: Stop, view: dict[str, Any]) -> None:
 
 def follow(code: str) -> None:
     """Show the desk's last view on the stage of this screen. The screen is a wall or another desk."""
-    text, age = shared().view(code)
+    text, age = shared().read_view(code)
     if text is None:
         return
     last_text, view = st.session_state.get(_FOLLOWED, (None, None))
@@ -246,7 +252,7 @@ def follow(code: str) -> None:
 
 def _become_lecturer(key: str) -> None:
     """Make this session the lecturer's. Raise `ClassError` if no class has this key."""
-    shared().code_of(key)
+    shared().find_code(key)
     st.session_state[_KEY] = key
 
 

@@ -35,7 +35,7 @@ from playwright.async_api import async_playwright
 
 from ramanujan.lesson import STOPS
 from ramanujan.lesson.classes import shared
-from ramanujan.pages.lesson.classroom import PHONE_EVERY
+from ramanujan.pages.lesson.classroom import PHONE_INTERVAL
 from ramanujan.shell.navigation import PAGES as EVERY_PAGE
 from tests.benchmarks.app import BARE
 from tests.benchmarks.visitor import VisitError, Visitor
@@ -233,7 +233,7 @@ async def _vote(address: str, given: argparse.Namespace) -> None:
                     voted.append(time.time())
                     await phone.choose(chance.randrange(len(stop.options)))
                 results.waits.append(await phone.look())
-                await asyncio.sleep(chance.uniform(0, 2 * PHONE_EVERY))
+                await asyncio.sleep(chance.uniform(0, 2 * PHONE_INTERVAL))
 
         await asyncio.gather(*map(answer, phones))
         counted = await pages[0].evaluate("counted")

@@ -35,22 +35,24 @@
     const path = group.querySelector("path:last-of-type");
     if (!path.getAttribute("d")) return null;
     const tail = path.getPointAtLength(0).matrixTransform(path.getScreenCTM());
-    return [...box(path), tail.x, tail.y];
+    return { box: box(path), tail: [tail.x, tail.y] };
   };
   const scale = (name) => {
     const group = root.querySelector(`.scales .${name}`), text = group.querySelector("text").textContent;
-    return group.style.display === "none" ? null : { value: parseFloat(text), text, box: arrow(group) };
+    return group.style.display === "none" ? null : { value: parseFloat(text), text, arrow: arrow(group) };
   };
   // The lines of every layer, and its reference arrow with the value, if any.
   const layer = (name) => {
     const reference = root.querySelector(`.scales [data-of=${name}]`), text = reference?.querySelector("text").textContent;
     const lines = byKey(`.scene .${name}:not(.rolling) [data-line]`, "line", arrow);
-    return { lines, scale: reference && { value: parseFloat(text), text, box: arrow(reference) } };
+    return { lines, scale: reference && { value: parseFloat(text), text, arrow: arrow(reference) } };
   };
   const layerNames = all("[data-layer]").map((box) => box.dataset.layer);
   const mark = (path) => {
     const point = (length) => { const { x, y } = path.getPointAtLength(length); return at(path, x, y); };
-    return path.getAttribute("d") ? { start: point(0), end: point(path.getTotalLength()), arrow: [...box(path), ...point(0)] } : null;
+    if (!path.getAttribute("d")) return null;
+    const start = point(0), end = point(path.getTotalLength());
+    return { start, end, arrow: { box: box(path), tail: start } };
   };
   const corners = (group) => {
     const path = group.querySelector("path"), pairs = path.getAttribute("d")?.slice(1).split("L") ?? [];

@@ -16,19 +16,19 @@ from ramanujan.translation import _, ngettext
 RESULTS_HEADING = _("What the class has learned")
 
 
-def show(access: str, stop: Stop, vote: Vote, solved: bool, chosen: str | None = None) -> None:
+def show(code: str, stop: Stop, vote: Vote, solved: bool, chosen: str | None = None) -> None:
     """Draw the result of a question.
 
     Parameters
     ----------
-    access : code of the class
+    code : code of the class
     stop : stop with the question
     vote : the last vote
     solved : whether to show the right answer and its number of votes
     chosen : the student's own answer in the last vote
     """
     try:
-        all_votes, changes = _result(access, stop.id, vote)
+        all_votes, changes = _result(code, stop.id, vote)
     except ClassError as error:
         st.warning(str(error))
         return
@@ -57,17 +57,19 @@ def show(access: str, stop: Stop, vote: Vote, solved: bool, chosen: str | None =
 
 
 @st.cache_data(show_spinner=False, max_entries=256)
-def _result(access: str, stop: str, vote: Vote) -> tuple[Sequence[Mapping[str, int]], Counter[tuple[bool, bool]]]:
+def _result(code: str, stop: str, vote: Vote) -> tuple[Sequence[Mapping[str, int]], Counter[tuple[bool, bool]]]:
     """Return the result of each vote (option → number of votes), and how answers changed between the two votes.
 
     The key of a change is whether the first answer was right, and whether the second one was. A revealed result is
     final, so it is cached.
     """
-    votes = [shared().distribution(access, stop, Vote(vote.asking, number)) for number in range(1, vote.number + 1)]
+    votes = [
+        shared().read_distribution(code, stop, Vote(vote.asking, number)) for number in range(1, vote.number + 1)
+    ]
     if not vote.is_second:
         return votes, Counter()
     right = lesson.find_stop(stop).right
-    return votes, shared().changes(access, stop, right, vote.asking)
+    return votes, shared().count_changes(code, stop, right, vote.asking)
 
 
 def _label(label: str, right: bool, own: bool) -> str:
@@ -98,9 +100,9 @@ def _changes_sentence(changes: Counter[tuple[bool, bool]]) -> str:
     return sentence.format(up=changes[False, True], down=changes[True, False], both=changes[True, True])
 
 
-def draw_commonest_mistake(access: str, stop: Stop, vote: Vote) -> None:
+def draw_commonest_mistake(code: str, stop: Stop, vote: Vote) -> None:
     """Name the most frequent wrong answer of the last vote, with the reply to it. Do nothing without a wrong answer."""
-    all_votes, _changes = _result(access, stop.id, vote)
+    all_votes, _changes = _result(code, stop.id, vote)
     votes = all_votes[-1]
     wrong_options = [option for option in stop.options if option != stop.right]
     commonest = max(wrong_options, key=votes.__getitem__)
@@ -109,9 +111,9 @@ def draw_commonest_mistake(access: str, stop: Stop, vote: Vote) -> None:
         st.markdown(sentence.format(label=stop.options[commonest], reply=stop.reply(commonest)))
 
 
-def draw_whole_lesson(access: str) -> None:
+def draw_whole_lesson(code: str) -> None:
     """Draw the share of right answers before and after the discussion, for each question with a revealed answer."""
-    revealed = [each for each in shared().results(access, Phase.SOLVED) if lesson.has_stop(each.stop)]
+    revealed = [each for each in shared().read_results(code, Phase.SOLVED) if lesson.has_stop(each.stop)]
     if not revealed:
         st.markdown(_("No right answer was shown to this class."))
         return

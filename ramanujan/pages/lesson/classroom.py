@@ -10,9 +10,8 @@ Every screen polls the class every few seconds. A poll is a single read of the d
 import time
 from collections.abc import Callable
 from contextlib import suppress
-from dataclasses import replace
+from dataclasses import dataclass, replace
 from functools import partial
-from typing import Any
 
 import streamlit as st
 
@@ -27,7 +26,7 @@ from ramanujan.shell import address, class_session, local_time, widgets
 from ramanujan.shell.class_session import leave, lecturer_key, open_class, run_or_refuse, student_seat
 from ramanujan.translation import _, ngettext
 
-DESK_EVERY, PHONE_EVERY = 2.0, 2.5
+DESK_INTERVAL, PHONE_INTERVAL = 2.0, 2.5
 """Interval at which a desk or a phone polls the class [s]."""
 
 _LONGEST_CODE = 20
@@ -71,7 +70,7 @@ def _draw_student_page(seat: Seat, show: Callable[..., None]) -> None:
     """Draw the current question of a student, and the machine of its stop."""
     question = None
     with suppress(ClassError):
-        question = class_session.question(seat.code)
+        question = class_session.read_question(seat.code)
     visible = _visible_machine(question)
     st.session_state[_DRAWN] = visible
     st.session_state[_OPEN] = question is not None
@@ -83,7 +82,7 @@ def _draw_student_page(seat: Seat, show: Callable[..., None]) -> None:
         below = st.container()
         _draw_leave_button()
     if visible:
-        class_session.apply_settings(shared().machine(seat.code))
+        class_session.apply_settings(shared().read_machine(seat.code))
         name, running = visible
         stop = lesson.find_stop(name)
         with above:
@@ -93,7 +92,7 @@ def _draw_student_page(seat: Seat, show: Callable[..., None]) -> None:
         with above if running else below:
             show(stop, running, fixed=True)
     with suppress(ClassError):
-        expires, is_storing = shared().expires(seat.code), not class_session.has_no_storage()
+        expires, is_storing = shared().read_expiry(seat.code), not class_session.has_no_storage()
         st.caption(class_results.storage_sentence(expires, is_browser_storing=is_storing))
 
 
@@ -182,7 +181,7 @@ def _draw_error() -> None:
 # ---- the lecturer
 
 
-@st.fragment(run_every=DESK_EVERY)
+@st.fragment(run_every=DESK_INTERVAL)
 def _draw_live_desk(stop: Stop | None, phase: Phase) -> None:
     """Draw the desk at a stop in this phase, or at the end. Rerun the page when stop or phase has changed."""
     key = lecturer_key()
@@ -194,8 +193,8 @@ def _draw_live_desk(stop: Stop | None, phase: Phase) -> None:
     with st.container(key="class_desk"):
         _draw_error()
         try:
-            shared().code_of(key)
-            now, last = class_session.question(code), shared().last_state(code, place)
+            shared().find_code(key)
+            now, last = class_session.read_question(code), shared().read_last_state(code, place)
         except ClassError as error:
             st.warning(str(error))
             st.button(_("Leave this class"), key="class_leave", on_click=leave)
@@ -204,7 +203,8 @@ def _draw_live_desk(stop: Stop | None, phase: Phase) -> None:
         current_phase = last.phase if last else Phase.ASKED
         if current_phase != phase:
             st.rerun()
-        st.markdown(f"**{_attendance_sentence(place, now)}** {class_results.recent_sentence(shared().seats(key))}")
+        recent = class_results.recent_sentence(shared().count_seats(key))
+        st.markdown(f"**{_attendance_sentence(place, now)}** {recent}")
         with st.container(key="class_moves", horizontal=True, gap="small"):
             _draw_moves(key, stop, now, last)
         if stop is None:
@@ -248,6 +248,36 @@ def _attendance_sentence(place: str, now: ClassQuestion) -> str:
     return class_results.answers_sentence(now)
 
 
+@dataclass(frozen=True)
+class _Move:
+    """A button of the desk that changes the state of the class.
+
+    Parameters
+    ----------
+    label : text of the button
+    name : end of the button's key
+    action : callback, with the lecturer's key as its first argument
+    arguments : the other arguments
+    """
+
+    label: str
+    name: str
+    action: Callable[..., None]
+    arguments: tuple[object, ...] = ()
+
+    def draw(self, key: str, shortcut: str | None = None, is_primary: bool = False, disabled: bool = False) -> None:
+        """Draw the button. `key` is the lecturer's key, `shortcut` the key of the keyboard that presses the button."""
+        st.button(
+            self.label,
+            key=f"class_{self.name}",
+            type="primary" if is_primary else "secondary",
+            shortcut=shortcut,
+            on_click=run_or_refuse,
+            args=(self.action, key, *self.arguments),
+            disabled=disabled,
+        )
+
+
 def _draw_moves(key: str, stop: Stop | None, now: ClassQuestion, last: ClassQuestion | None) -> None:
     """Draw a button for each possible move. A clicker presses the first two: back and forward.
 
@@ -258,66 +288,50 @@ def _draw_moves(key: str, stop: Stop | None, now: ClassQuestion, last: ClassQues
     now : the current question of the class
     last : the last state of this stop in the class, None if the class was never at this stop
     """
-
-    def button(
-        label: str,
-        name: str,
-        action: Callable[..., None],
-        *arguments: object,
-        shortcut: str = "",
-        disabled: bool = False,
-    ) -> None:
-        """Draw a button with a callback. Emphasize the forward button, which has the shortcut PageDown."""
-        st.button(
-            label,
-            key=f"class_{name}",
-            type="primary" if shortcut == "PageDown" else "secondary",
-            shortcut=shortcut or None,
-            on_click=run_or_refuse,
-            args=(action, key, *arguments),
-            disabled=disabled,
-        )
-
     st.html(KEY_NAMES)
     place = stop.id if stop else END
     shows_result = now.stop == place and now.phase > Phase.ASKED
     can_go_back = shows_result or progress.previous(place) is not None
-    button(_("Go back"), "back", _go_back, place, shortcut="PageUp", disabled=not can_go_back)
+    back = _Move(_("Go back"), "back", _go_back, (place,))
+    back.draw(key, shortcut="PageUp", disabled=not can_go_back)
     is_over = now.stop == place == END
-    button(*_forward_move(stop, now, last), shortcut="PageDown", disabled=is_over)
+    forward = _choose_forward_move(stop, now, last)
+    forward.draw(key, shortcut="PageDown", is_primary=True, disabled=is_over)
     if stop and now.stop != place and last:
-        button(_("Ask this question again"), "anew", partial(shared().ask, anew=True), place, list(stop.options))
+        ask_anew = partial(shared().ask, anew=True)
+        _Move(_("Ask this question again"), "anew", ask_anew, (place, list(stop.options))).draw(key)
     if now.stop == place != END and not now.vote.is_second and now.reached < Phase.RUNNING:
-        button(_("Ask again"), "again", shared().ask_again)
+        _Move(_("Ask again"), "again", shared().ask_again).draw(key)
 
 
-def _forward_move(stop: Stop | None, now: ClassQuestion, last: ClassQuestion | None) -> tuple[Any, ...]:
-    """Return label, key, callback and arguments of the forward button. The parameters are those of `_draw_moves`."""
+def _choose_forward_move(stop: Stop | None, now: ClassQuestion, last: ClassQuestion | None) -> _Move:
+    """Return the move of the forward button. The parameters are those of `_draw_moves`."""
+    finish = _Move(_("Show what the class has learned"), "finish", _show_end)
     if stop is None:
-        return _("Show what the class has learned"), "finish", _show_end
+        return finish
     if now.stop != stop.id:
-        return _("Return to this question") if last else _("Ask the class"), "ask", _show_stop, stop
+        label = _("Return to this question") if last else _("Ask the class")
+        return _Move(label, "ask", _show_stop, (stop,))
     if now.phase == Phase.SOLVED:
         following = progress.following(stop)
-        if following:
-            return _("Ask the next question"), "next", _show_stop, following
-        return _("Show what the class has learned"), "finish", _show_end
+        return _Move(_("Ask the next question"), "next", _show_stop, (following,)) if following else finish
     labels = {
         Phase.ASKED: (_("Show the result"), "reveal"),
         Phase.REVEALED: (stop.observation, "run"),
         Phase.RUNNING: (_("Name the answer"), "solve"),
     }
-    return *labels[now.phase], shared().show, Phase(now.phase + 1)
+    label, name = labels[now.phase]
+    return _Move(label, name, shared().show, (Phase(now.phase + 1),))
 
 
 def _go_back(key: str, place: str) -> None:
     """Take the class back by one view. If the class is at another stop, move only this desk."""
     code, _secret = split_key(key)
-    now, previous = shared().question(code), progress.previous(place)
+    now, previous = shared().read_question(code), progress.previous(place)
     is_here = now.stop == place
     if is_here and now.phase > Phase.ASKED:
         shared().show(key, Phase(now.phase - 1))
-    elif previous and is_here and shared().last_state(code, previous.id):
+    elif previous and is_here and shared().read_last_state(code, previous.id):
         _show_stop(key, previous)
     elif previous:
         st.session_state[progress.STOP.name] = previous.id
@@ -362,7 +376,7 @@ def _offer_votes(key: str, name: str) -> None:
     key : the lecturer's key
     name : key of the button for the second file; with the suffix “_spreadsheet”, that for the first
     """
-    results = shared().results_for_lecturer(key)
+    results = shared().read_results_for_lecturer(key)
     code, _secret = split_key(key)
     widgets.download(
         _("Download for a spreadsheet"),
@@ -376,7 +390,7 @@ def _offer_votes(key: str, name: str) -> None:
 
 def _manage_seats(key: str) -> None:
     """Draw the number of seats, and the controls against a visitor who takes many seats."""
-    seats = shared().seats(key)
+    seats = shared().count_seats(key)
     st.markdown(class_results.seats_sentence(seats))
     label = _("Let nobody else join") if seats.is_open else _("Let students join again")
     st.button(label, key="class_bar", on_click=run_or_refuse, args=(shared().let_join, key, not seats.is_open))
@@ -404,7 +418,7 @@ def _draw_ending(key: str) -> None:
     with st.popover(_("End the class"), key="class_ending", type="tertiary"):
         st.markdown(
             _("The class ends, and all its answers are deleted. Otherwise that happens on {date}.").format(
-                date=local_time.date_and_time(shared().expires(split_key(key)[0]))
+                date=local_time.date_and_time(shared().read_expiry(split_key(key)[0]))
             )
         )
         _offer_votes(key, "class_csv_last")
@@ -415,7 +429,7 @@ def _draw_ending(key: str) -> None:
 # ---- a student
 
 
-@st.fragment(run_every=PHONE_EVERY)
+@st.fragment(run_every=PHONE_INTERVAL)
 def _draw_waiting() -> None:
     """Retry joining, and draw why the student has to wait. The students of one network get their seats in turn."""
     code = class_session.awaited_class()
@@ -437,15 +451,15 @@ def _draw_leave_button() -> None:
     st.button(_("Leave the class"), key="class_leave", type="tertiary", on_click=leave)
 
 
-@st.fragment(run_every=PHONE_EVERY)
+@st.fragment(run_every=PHONE_INTERVAL)
 def _draw_seat() -> None:
     """Draw the current question of the student, and poll the class every few seconds for a new one."""
     seat = student_seat()
     if seat is None:
         st.rerun()
     try:
-        question = class_session.question(seat.code)
-        chosen = shared().answer_of(seat, question)
+        question = class_session.read_question(seat.code)
+        chosen = shared().read_answer(seat, question)
     except SeatError:
         # The lecturer removed the empty seats while this phone was inactive.
         run_or_refuse(class_session.take_seat, seat.code)
@@ -526,7 +540,7 @@ def _own_vote_sentence(seat: Seat, stop: Stop, question: ClassQuestion, chosen: 
         return _("Your answer was counted. The result has been shown, so it can no longer be changed.")
     if question.vote.is_second:
         first_question = replace(question, vote=question.vote._replace(number=1))
-        first = shared().answer_of(seat, first_question)
+        first = shared().read_answer(seat, first_question)
         if first:
             return _(
                 "**Your answer in the first vote:** {label}\\\nYou have no answer in the second vote. "

@@ -45,13 +45,13 @@ def _draw(code: str) -> None:
     with st.container(key="class_wall"):
         st.html(WALL_STYLE)
         try:
-            question = class_session.question(code)
+            question = class_session.read_question(code)
         except ClassError:
             st.session_state.pop(_POLLS, None)
             _follow_class(code)
             st.button(_("Leave this class"), key="class_leave", on_click=class_session.leave)
             return
-        class_session.apply_settings(shared().machine(code))
+        class_session.apply_settings(shared().read_machine(code))
         # Call the fragment first, because a rerun may interrupt this run before its end.
         _follow_class(code)
         if question.stop is None:
@@ -93,7 +93,7 @@ def _follow_class(code: str) -> None:
     mirrors the desk's view and sliders.
     """
     try:
-        now = class_session.question(code)
+        now = class_session.read_question(code)
     except ClassError as error:
         if st.session_state.pop(_POLLS, None):
             st.rerun()
@@ -102,7 +102,7 @@ def _follow_class(code: str) -> None:
     state = (now.stop, now.vote, now.phase)
     polls = st.session_state.get(_POLLS, {}).get(state, -1) + 1
     st.session_state[_POLLS] = {state: polls}
-    if polls in (0, _REDRAW_AFTER) or class_session.settings_differ(shared().machine(code)):
+    if polls in (0, _REDRAW_AFTER) or class_session.settings_differ(shared().read_machine(code)):
         st.rerun()
     class_session.follow(code)
     with st.container(key="class_wall_foot", horizontal=True, vertical_alignment="center", gap="large"):
