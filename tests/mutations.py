@@ -33,7 +33,7 @@ class Mutation:
 
 
 _SPIN = "rotate(${(FORMULAS.angle[name](known) * 360) / TURN})"
-_ARROWS = "velocityArrow(x + displaced[name], y, velocity(name, known) * per.speed"
+_ARROW_LENGTH = "const length = velocity(name, known)"
 MUTATIONS = [
     Mutation("every roller turns backwards", "stage/drawing.js", _SPIN, _SPIN.replace("(FORM", "(-FORM")),
     Mutation(
@@ -84,8 +84,8 @@ MUTATIONS = [
     Mutation(
         "velocities point the wrong way",
         "stage/layers.js",
-        _ARROWS,
-        _ARROWS.replace("velocity(name", "-velocity(name"),
+        _ARROW_LENGTH,
+        _ARROW_LENGTH.replace("velocity", "-velocity"),
         LAYERS,
     ),
     Mutation(

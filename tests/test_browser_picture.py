@@ -153,7 +153,7 @@ def check_floor(picture: Picture, drawn: dict, masses: dict[str, float], g: floa
     total = sum(masses.values())
     centre = sum(mass * places[name][0] for name, mass in masses.items()) / total
     expected = centre - picture.pixels * rate / (g * total)
-    assert middle(drawn["weights"]["floor block"]) == pytest.approx(expected, abs=3 * HALF_A_PIXEL)
+    assert middle(drawn["weights"]["floor block"]["box"]) == pytest.approx(expected, abs=3 * HALF_A_PIXEL)
 
 
 @ANY_ENGINE
@@ -178,7 +178,7 @@ def test_in_the_frame_of_the_block_it_is_still_and_the_velocities_of_rolling_are
             rolling = machine.radius * picture.q_dot[1]
             check_arrows(drawn["rolling"], {"contact": 0, "centre": rolling, "top": 2 * rolling}, scale)
             (x, y), R = drawn["rollers"]["hoop"]["centre"], drawn["rollers"]["hoop"]["radius"]
-            tails = [[*drawn["rolling"][point][4:]] for point in ("contact", "centre", "top")]
+            tails = [drawn["rolling"][point]["tail"] for point in ("contact", "centre", "top")]
             assert np.array(tails) == pytest.approx(np.array([[x, y + R], [x, y], [x, y - R]]), abs=2 * HALF_A_PIXEL)
         assert np.ptp(blocks, axis=0).max() < HALF_A_PIXEL
         assert np.ptp(zeros) < 2 * HALF_A_PIXEL, "the floor moves by X"

@@ -310,15 +310,19 @@ def _friction_operation(contact: Contact) -> str:
 
 
 def _three_step(known: set[sp.Expr], remaining: dict[str, sp.Eq], in_coordinates: dict[str, sp.Eq]) -> Step:
-    # An operation lists the letters of the inserted symbols, such as a and F.
-    letters = [sorted({str(symbol)[0] for symbol in e.atoms(sp.Function) & known}) for e in remaining.values()]
+    operations = []
+    for balance in remaining.values():
+        inserted = balance.atoms(sp.Function) & known
+        # An operation lists the letters of the inserted symbols, such as a and F.
+        letters = sorted({str(symbol)[0] for symbol in inserted})
+        operations.append(insert(*letters))
     return step(
         "three",
         _("Insert both into the three equations that are left"),
         _("Newton’s second law for block, slab and top cylinder has not been used yet."),
         *in_coordinates.values(),
         labels=tuple(rf"\text{{{PARTS[name]}}}" for name in in_coordinates),
-        operations=tuple(insert(*of_balance) for of_balance in letters),
+        operations=tuple(operations),
     )
 
 

@@ -18,8 +18,8 @@ const PERIOD_POINTS = 24; // states of a period at which the largest speed and f
 
 export function makeLayers(root) {
   const find = finder(root), layers = layerNames(root);
-  // `peak` has the largest value of each kind of arrow, and `per` its length per unit.
-  let shown = new Set(), place = null, peak, per, data = {}, seenFrom = "ground", measure = null, layered = false;
+  // `maxima` has the largest value of each kind of arrow, and `unitLengths` the length of an arrow of one unit [cm].
+  let shown = new Set(), place = null, maxima, unitLengths, data = {}, seenFrom = "ground", measure = null, isLayered = false;
 
   const [bars, names, shares] = [".bar i", ".legend span", ".legend b"].map((each) => [...root.querySelectorAll(each)]);
   const lines = {}; // layer and name → the function that sets the line's path
@@ -67,9 +67,9 @@ export function makeLayers(root) {
     const pair = largest((known) => ["hoop", "cylinder"].map((name) => onRoller(name, known)));
     const load = largest((known) => ROLLERS.map((name) => FORMULAS.normal_force[`${name}_block`](known)));
     const total = largest((known) => strengths(verticalForces(known, place, 0)));
-    peak = { speed, force, weight: pair / 2 };
+    maxima = { speed, force, weight: pair / 2 };
     const weight = Math.min((1.9 * place.R) / pair, place.deck / load, (0.7 * place.view.top) / total);
-    per = { speed: (1.5 * size) / speed, force: (1.8 * size) / force, weight };
+    unitLengths = { speed: (1.5 * size) / speed, force: (1.8 * size) / force, weight };
   }
 
   /** Draw a scale for each kind of arrow: an arrow of a round value, with the value. */
@@ -84,7 +84,7 @@ export function makeLayers(root) {
       weight: ["N", (length) => [forceArrow(upright, second - length / 2, length, head, true), upright, second]],
     };
     for (const [name, [unit, drawn]] of Object.entries(scales)) {
-      const value = roundBelow(peak[name]), [d, end, y] = drawn(value * per[name]), label = find(`.${name} text`);
+      const value = roundBelow(maxima[name]), [d, end, y] = drawn(value * unitLengths[name]), label = find(`.${name} text`);
       set(find(`.${name} path`), { d });
       set(label, { x: end + 1.5, y: -y });
       const sentence = name === "speed" && seenFrom === "block" ? WORDS.relative : "{speed}";
@@ -93,28 +93,30 @@ export function makeLayers(root) {
   }
 
   function frame(known, shift, write) {
-    if (layered || seenFrom === "block") measure?.();
+    if (isLayered || seenFrom === "block") measure?.();
     const origin = frameValue(FORMULAS.displacement, known, seenFrom);
     if (shown.has("traces")) set(find(".traces"), { transform: `translate(${(origin - shift) * CM})` });
     if (shown.has("arrows")) drawArrows(known, shift);
     if (seenFrom === "block") drawRolling(known, shift);
     if (shown.has("forces")) drawForces(known, shift);
-    if (shown.has("weights")) drawAll("weights", verticalForces(known, place, shift), per.weight, true);
+    if (shown.has("weights")) drawAll("weights", verticalForces(known, place, shift), unitLengths.weight, true);
     if (shown.has("coordinates")) drawCoordinates(find(".coordinates"), known, place, shift);
     if (shown.has("energy")) drawEnergy(known, write);
   }
 
   function drawArrows(known, shift) {
     const displaced = displacements(known, shift);
-    for (const [name, [x, y]] of Object.entries(anchors(place)))
-      draw("arrows", name, name, velocityArrow(x + displaced[name], y, velocity(name, known) * per.speed, headOf(place.R)));
+    for (const [name, [x, y]] of Object.entries(anchors(place))) {
+      const length = velocity(name, known) * unitLengths.speed;
+      draw("arrows", name, name, velocityArrow(x + displaced[name], y, length, headOf(place.R)));
+    }
   }
 
   /** Draw the velocities of a lower roller's contact, centre and top relative to the block. */
   function drawRolling(known, shift) {
     const [home, middle] = place.centre.hoop, x = home + displacements(known, shift).hoop;
     for (const [i, [point, formula]] of Object.entries(FORMULAS.rolling).entries()) {
-      const y = middle + (i - 1) * place.R, length = formula(known) * per.speed, side = length < 0 ? -1 : 1;
+      const y = middle + (i - 1) * place.R, length = formula(known) * unitLengths.speed, side = length < 0 ? -1 : 1;
       draw("rolling", point, "hoop", velocityArrow(x, y, length, headOf(place.R)) || `M${x} ${-y}h0.01`); // WebKit enlarges the dot of h0
       // A label of an arrow to the left must begin within the view.
       set(points[point], { x: side < 0 ? Math.max(x + length - 1.2, place.view.left + 15) : x + length + 1.2, y: -y });
@@ -126,7 +128,7 @@ export function makeLayers(root) {
 
   function drawForces(known, shift) {
     const forces = horizontalForces(known, place, shift);
-    drawAll("forces", forces, per.force);
+    drawAll("forces", forces, unitLengths.force);
     const contact = CONTACTS[data.slipping];
     find(".slipping").style.display = contact ? "" : "none";
     if (!contact) return;
@@ -158,8 +160,8 @@ export function makeLayers(root) {
     find(".machine").classList.toggle("from-block", seenFrom === "block");
     setVisible(find(".speed"), shown.has("arrows") || seenFrom === "block");
     find(".machine").classList.toggle("weighed", shown.has("weights"));
-    layered = [...shown].some((name) => name !== "energy");
-    find(".machine").classList.toggle("layered", layered);
+    isLayered = [...shown].some((name) => name !== "energy");
+    find(".machine").classList.toggle("layered", isLayered);
   }
   const setVisible = (node, isVisible) => node && (node.style.display = isVisible ? "" : "none");
 

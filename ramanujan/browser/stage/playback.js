@@ -82,7 +82,7 @@ export class Playback {
 
   /**
    * Advance the time. Return the reason for the end of the motion, or null. After `periods`, if given, a periodic motion
-   * repeats, and any other motion ends for the reason "again".
+   * repeats, and any other motion ends for the reason "repeat".
    */
   advance(seconds, periods) {
     this.phase += this.solution.Omega * seconds;
@@ -91,7 +91,7 @@ export class Playback {
     if (this.phase > this.end) return "ended";
     const collision = this.collision(this.now());
     if (collision || !periods || this.phase <= TURN * periods) return collision;
-    if (!this.isPeriodic()) return "again";
+    if (!this.isPeriodic()) return "repeat";
     this.phase -= TURN * periods;
     return null;
   }

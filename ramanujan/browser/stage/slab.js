@@ -34,7 +34,7 @@ function compressionAfter(key, compression, [least, most]) {
 
 /**
  * Drags the slab, and undoes the last drag. A drag begins with the first move of a pointer, or with the first key. Until it ends
- * or is cancelled, `hand.isHolding` is true.
+ * or is cancelled, `live.isDragging` is true.
  */
 export class Slab {
   grip = null; // { id, x, from, deformation, slack } of the pressed pointer; `from` is set when it drags
@@ -111,12 +111,12 @@ export class Slab {
 
   /** Hold the machine at rest with the spring compressed by `wanted` [m], rounded to a step of its slider. */
   compress(wanted, slack = 0) {
-    const { limits, hand, playback, parameters, voice } = this.stage, { phase, plainPhase } = playback;
-    if (!hand.isHolding) this.before = { compression: parameters.compression, phase, plainPhase };
+    const { limits, live, playback, parameters, voice } = this.stage, { phase, plainPhase } = playback;
+    if (!live.isDragging) this.before = { compression: parameters.compression, phase, plainPhase };
     const bound = clamp(wanted, ...limits), isBeyond = bound !== wanted;
-    this.value = hand.rounded(bound);
+    this.value = live.rounded(bound);
     this.stage.change(() => {
-      hand.hold(this.value, isBeyond ? elastic(wanted, limits, slack) : this.value);
+      live.drag(this.value, isBeyond ? elastic(wanted, limits, slack) : this.value);
       playback.reset();
     });
     const [least, most, value] = [...limits, this.value].map(centimetres);
@@ -125,20 +125,20 @@ export class Slab {
   }
 
   letGo() {
-    if (!this.stage.hand.isHolding) return;
+    if (!this.stage.live.isDragging) return;
     this.letGoLater.cancel();
     this.last = this.before;
-    this.stage.change(() => this.stage.hand.drop(this.value));
+    this.stage.change(() => this.stage.live.drop(this.value));
   }
 
   /** Restore the state before the drag. */
   cancel() {
-    const { hand, playback, voice } = this.stage;
-    if (!hand.isHolding) return;
+    const { live, playback, voice } = this.stage;
+    if (!live.isDragging) return;
     this.letGoLater.cancel();
     const { compression, phase, plainPhase } = this.before;
     this.stage.change(() => {
-      hand.hold(compression, null);
+      live.drag(compression, null);
       Object.assign(playback, { phase, plainPhase });
     });
     voice.note(fill(WORDS.restored, { value: centimetres(compression) }));
@@ -147,17 +147,17 @@ export class Slab {
   /** Restore x₀ from before the last drag, with all its digits. Return whether a drag could be undone. */
   undo() {
     if (this.button.hidden) return false;
-    this.stage.hand.enter(this.last.compression);
+    this.stage.live.send(this.last.compression);
     return true;
   }
 
   /** Describe x₀ to screen readers, and offer to undo the last drag unless x₀ has been changed since. */
   show() {
-    const { node, fixed, value, last, button, stage: { host, limits, hand, parameters } } = this;
+    const { node, fixed, value, last, button, stage: { host, limits, live, parameters } } = this;
     if (fixed) return;
     const [least, most, now] = [...limits, this.compression()].map((metres) => metres * CM);
     node.querySelector(".handle text").textContent = fill(WORDS.drag, { value: centimetres(this.compression()) });
-    host.classList.toggle("dragged", hand.isHolding);
+    host.classList.toggle("dragged", live.isDragging);
     // The role and the value are set together, because a slider needs a value.
     set(node, {
       role: "slider",
@@ -170,7 +170,7 @@ export class Slab {
       "aria-valuetext": withUnit(number(now, 3), "cm"),
     });
     const canUndo = last && Math.abs(parameters.compression - value) < 1e-9 && Math.abs(last.compression - value) > 1e-9;
-    button.hidden = !canUndo || hand.isHolding;
+    button.hidden = !canUndo || live.isDragging;
     if (canUndo) button.textContent = fill(WORDS.undo, { value: centimetres(last.compression) });
   }
 }

@@ -1,5 +1,5 @@
-// The stage connects clock, playback, picture, hand and voice. The physics is in formulas.js, printed by SymPy; the texts are in
-// texts.js. __init__.py documents the data from Python.
+// The stage connects clock, playback, picture, live values and voice. The physics is in formulas.js, printed by SymPy; the texts
+// are in texts.js. __init__.py documents the data from Python.
 
 import { bus } from "../components/bus.js";
 import { observe } from "../components/lasting.js";
@@ -13,7 +13,7 @@ import { Playback } from "./playback.js";
 import { Slab } from "./slab.js";
 import { linkTerms } from "./terms.js";
 import { WORDS } from "./texts.js";
-import { Hand } from "./thumb.js";
+import { LiveValues } from "./live_values.js";
 import { listenToControls, showControls } from "./toolbar.js";
 import { description, makeVoice, moment } from "./words.js";
 
@@ -39,7 +39,7 @@ class Stage {
     this.voice = makeVoice(root, { compact, parts: this.parts, signal });
     this.slab = new Slab(root.querySelector(".body.slab"), this, signal);
     if (layers.includes("coordinates")) linkTerms(root, signal);
-    this.hand = new Hand(watch, () => this.data.parameters);
+    this.live = new LiveValues(watch, () => this.data.parameters);
     listenToControls(root, this, signal);
     this.calm = matchMedia("(prefers-reduced-motion: reduce)");
     this.calm.addEventListener("change", () => this.applyMotionPreference(), { signal });
@@ -120,7 +120,7 @@ class Stage {
   change(act) {
     const before = this.solution && this.playback.drawn();
     act();
-    const { initial, samples, computed } = this.data, set = this.hand.values(), parameters = { ...this.data.parameters, ...set };
+    const { initial, samples, computed } = this.data, set = this.live.values(), parameters = { ...this.data.parameters, ...set };
     const solution = solve(parameters, initial), shapes = SHAPES.map((name) => parameters[name]).join();
     if (shapes !== this.shapes) this.picture.geometry(parameters);
     Object.assign(this, { parameters, solution, shapes });
@@ -131,7 +131,7 @@ class Stage {
     const normalized = this.parts.hides("numbers") ? undefined : solution.normalized;
     bus.publish(`drawn/${this.name}`, { ratio: FORMULAS.mass_ratio(parameters), normalized, parameters }, this);
     this.slab.show();
-    if (!Object.keys(set).length || this.hand.isHolding) this.voice.describe(description(solution));
+    if (!Object.keys(set).length || this.live.isDragging) this.voice.describe(description(solution));
     this.showSlowing();
     this.redraw();
   }
@@ -145,13 +145,13 @@ class Stage {
   /** Advance by a number of seconds. Return whether another frame is needed. */
   advance(elapsed) {
     if (!this.solution) return false;
-    if (this.hand.look()) this.change(() => {});
-    const isStill = this.hand.isHolding || this.parts.hides("motion");
+    if (this.live.update()) this.change(() => {});
+    const isStill = this.live.isDragging || this.parts.hides("motion");
     const running = this.clock.playing && !isStill;
     if (running) this.run(elapsed * this.pace());
     const fading = this.playback.fade(elapsed);
     if (running || fading || this.dirty) this.draw(elapsed);
-    return running || fading || this.hand.isHolding || this.hand.unsent !== null;
+    return running || fading || this.live.isDragging || this.live.unsent !== null;
   }
 
   /** The speed of the playback: seconds of the machine per second of the clock. */
@@ -162,7 +162,7 @@ class Stage {
   /** Begin a story or a race, in which a period of the plain mass lasts `lapse` seconds; null ends it. */
   setLapse(lapse) {
     this.lapse = lapse;
-    this.root.host?.toggleAttribute("data-told", Boolean(lapse));
+    this.root.host?.toggleAttribute("data-lapse", Boolean(lapse));
     this.playback.keepsAngle = Boolean(lapse);
     if (lapse) {
       this.playback.reset();
@@ -189,7 +189,7 @@ class Stage {
     if (!reason) return;
     if (reason === "ended" && this.lapse) return this.race(null);
     this.releaseAll();
-    if (reason === "again") return;
+    if (reason === "repeat") return;
     this.voice.note(WORDS[reason]);
     this.voice.announce(WORDS[reason], true);
   }
@@ -242,7 +242,7 @@ class Stage {
   }
 
   seek({ time }) {
-    if (this.solution && !this.hand.isHolding) this.pauseAndMove((playback) => playback.goToTime(time));
+    if (this.solution && !this.live.isDragging) this.pauseAndMove((playback) => playback.goToTime(time));
   }
 
   /** Set values of the clock, { playing, speed, seenFrom }, and update all of its stages. */

@@ -63,9 +63,7 @@ def _result(code: str, stop: str, vote: Vote) -> tuple[Sequence[Mapping[str, int
     The key of a change is whether the first answer was right, and whether the second one was. A revealed result is
     final, so it is cached.
     """
-    votes = [
-        shared().read_distribution(code, stop, Vote(vote.asking, number)) for number in range(1, vote.number + 1)
-    ]
+    votes = [shared().read_distribution(code, stop, Vote(vote.asking, number)) for number in range(1, vote.number + 1)]
     if not vote.is_second:
         return votes, Counter()
     right = lesson.find_stop(stop).right

@@ -30,7 +30,8 @@ def show() -> None:
     """Draw the page."""
     classroom.draw_phone(stops.draw_observation)
     wall.draw_wall()
-    if items := address.current(exercise.EXERCISE):
+    items = address.current(exercise.EXERCISE)
+    if items:
         exercise.draw_exercise(items)
     else:
         draw_parts()

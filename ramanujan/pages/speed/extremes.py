@@ -129,38 +129,70 @@ def compare_solvers() -> None:
 def list_choices() -> None:
     """List the app's own methods with their uses, reasons and measurements, the named slots of `_CHOICES`."""
     choices = cache.choices()
+    template = "\n".join(f"- {sentence}" for sentence in _CHOICES)
+    slots = {
+        **_describe_states(choices),
+        **_describe_forms(),
+        **_describe_arithmetics(choices),
+        **_describe_curves(choices),
+        **_describe_rounding(),
+        **{f"kept_{name}": factor for name, factor in choices.speedups.items()},
+        "n": STATES,
+    }
+    st.markdown(filled(template, **slots))
+
+
+def _describe_states(choices: cache.Choices) -> dict[str, object]:
+    """Return the slots about the closed form."""
+    states = choices.states
+    return {
+        "first": states[0].periods,
+        "last": states[-1].periods,
+        "phase_error": max(state.phase_error for state in states),
+        "state": duration(float(np.median([state.seconds.median for state in states]))),
+        "reduced_error": max(errors.reduced for errors in cache.phases(Oscillator())),
+        "reduced": duration(choices.reduction),
+    }
+
+
+def _describe_forms() -> dict[str, object]:
+    """Return the slots about the effective mass and about exact integers, for random machines."""
     sweeps, _solvers = cache.sweeps()
-    random_machines = {s.form: s for s in sweeps if s.sweep_name == "machines" and s.dtype == "float64"}
-    own = random_machines["effective_mass"]
-    enough = {name: _fewest_points(distances) for name, distances in choices.curves.items()}
+    by_form = {sweep.form: sweep for sweep in sweeps if sweep.sweep_name == "machines" and sweep.dtype == "float64"}
+    own = by_form["effective_mass"]
+    return {
+        "formula": unbroken(FORMS[own.form].formula),
+        "machines": own.x.size,
+        "error": own.worst_right_ulp,
+        "integers_error": by_form["integers"].worst_right_ulp,
+    }
+
+
+def _describe_arithmetics(choices: cache.Choices) -> dict[str, object]:
+    """Return the slots about the time for a value of Ω². A key of `arithmetics` is a word or a number of digits."""
+    few_digits, many_digits = DIGITS[0], DIGITS[-1]
+    times = {kind: duration(seconds) for kind, seconds in choices.arithmetics.items() if isinstance(kind, str)}
+    return {
+        **times,
+        "few": duration(choices.arithmetics[few_digits]),
+        "few_digits": few_digits,
+        "many": duration(choices.arithmetics[many_digits]),
+        "many_digits": many_digits,
+    }
+
+
+def _describe_curves(choices: cache.Choices) -> dict[str, object]:
+    """Return the slots about the number of points of each curve."""
+    slots: dict[str, object] = {"height": HEIGHT}
+    for name, distances in choices.curves.items():
+        slots[name], slots[f"{name}_error"] = _fewest_points(distances)
+    return slots
+
+
+def _describe_rounding() -> dict[str, object]:
+    """Return the slots about numbers in float32."""
     rounding = float(np.finfo(np.float32).eps) / 2
-    text = filled(
-        "\n".join(f"- {sentence}" for sentence in _CHOICES),
-        first=choices.states[0].periods,
-        last=choices.states[-1].periods,
-        phase_error=max(each.phase_error for each in choices.states),
-        state=duration(float(np.median([each.seconds.median for each in choices.states]))),
-        reduced_error=max(each.reduced for each in cache.phases(Oscillator())),
-        reduced=duration(choices.reduction),
-        formula=unbroken(FORMS[own.form].formula),
-        machines=own.x.size,
-        error=own.worst_right_ulp,
-        integers_error=random_machines["integers"].worst_right_ulp,
-        **{kind: duration(seconds) for kind, seconds in choices.arithmetics.items() if isinstance(kind, str)},
-        few=duration(choices.arithmetics[DIGITS[0]]),
-        few_digits=DIGITS[0],
-        many=duration(choices.arithmetics[DIGITS[-1]]),
-        many_digits=DIGITS[-1],
-        height=HEIGHT,
-        **{name: points for name, (points, _distance) in enough.items()},
-        **{f"{name}_error": distance for name, (_points, distance) in enough.items()},
-        part=1 / rounding,
-        finer=0.5 / SCREEN_HEIGHT / rounding,
-        screen=SCREEN_HEIGHT,
-        **{f"kept_{name}": ratio for name, ratio in choices.speedups.items()},
-        n=STATES,
-    )
-    st.markdown(text)
+    return {"part": 1 / rounding, "finer": 0.5 / SCREEN_HEIGHT / rounding, "screen": SCREEN_HEIGHT}
 
 
 def _fewest_points(distances: Mapping[int, float]) -> tuple[int, float]:

@@ -181,7 +181,7 @@ def describe_norm() -> None:
     with number:
         st.markdown(filled(sentence, number=PAPER.discriminant, n=len(ways), written=forms))
     factors = "$, $".join(f"{prime}={a}^2+3\\cdot{b}^2" for prime, (a, b) in norms.items())
-    remainder = ", ".join(str(rest) for rest in {p % 3 for p in primes})
+    remainder = ", ".join({str(prime % 3) for prime in primes})
     sentence = _(
         "Its prime factors are norms themselves: ${norms}$. Multiply these three, each with either sign of "
         "$\\sqrt{{-3}}$, and you get the {n:word} ways. The primes all leave the remainder {remainder} when divided by "

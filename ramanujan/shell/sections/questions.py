@@ -44,7 +44,8 @@ def draw_section() -> None:
     name = widgets.selectbox(QUESTION, _("What do you want to work out?"), {name: title(name) for name in QUESTIONS})
     judge_typed(name)
     draw_question(name)
-    if solved := [*filter(is_solved, QUESTIONS)]:
+    solved = [each for each in QUESTIONS if is_solved(each)]
+    if solved:
         st.markdown(_("**Solved so far: {n} of {all}**").format(n=len(solved), all=len(QUESTIONS)))
         st.markdown("\n".join(f"- :green[:material/check_circle:] {title(name)}" for name in solved))
 

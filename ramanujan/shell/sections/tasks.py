@@ -111,7 +111,8 @@ def _bodies() -> tuple[str, ...]:
 def _part() -> float | None:
     """Draw the box for a fraction of a period, and return its number; None for an ambiguous number."""
     text = st.text_input(_("Part of a period"), key="task_part", placeholder=_EXAMPLE.format(entry="1/3"))
-    if refusal := explain_ambiguous_number(text):
+    refusal = explain_ambiguous_number(text)
+    if refusal:
         st.markdown(f":small[{widgets.escape(refusal)}]")
         return None
     return read_number(text)

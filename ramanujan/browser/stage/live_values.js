@@ -6,7 +6,7 @@
 import { bus } from "../components/bus.js";
 import { dom } from "../components/streamlit_dom.js";
 
-export class Hand {
+export class LiveValues {
   drawn = null; // m, x₀ as drawn during a drag of the slab
   unsent = null; // m, x₀ that the slab's slider has to send
   seen = "{}"; // the settings in the last drawn picture
@@ -18,7 +18,7 @@ export class Hand {
   }
 
   /** Whether the slab is being dragged. */
-  get isHolding() {
+  get isDragging() {
     return this.drawn !== null;
   }
 
@@ -36,8 +36,8 @@ export class Hand {
   }
 
   /** Read the sliders, once a frame; return whether a value has changed. Send x₀, unless the server is away. */
-  look() {
-    if (this.unsent !== null && dom.sendSlider(this.slider, this.onSlider(this.unsent))) {
+  update() {
+    if (this.unsent !== null && dom.sendSlider(this.slider, this.inSliderUnit(this.unsent))) {
       // The slider shows the value after a microtask that is already queued; until then, `unsent` replaces it.
       queueMicrotask(() => (this.unsent = null));
     }
@@ -53,7 +53,7 @@ export class Hand {
   }
 
   /** x₀ [m] in the unit of its slider. */
-  onSlider(compression) {
+  inSliderUnit(compression) {
     return Number((compression / this.watch[this.slabKey].scale).toPrecision(12));
   }
 
@@ -67,20 +67,20 @@ export class Hand {
    * Set x₀ [m] and move its slider. `drawn` may be beyond the bounds, where the slab follows the pointer only partly; null ends
    * the drag without a message.
    */
-  hold(compression, drawn = compression) {
+  drag(compression, drawn = compression) {
     this.drawn = drawn;
     this.unsent = null;
-    dom.moveSlider(this.slider, this.onSlider(compression));
+    dom.moveSlider(this.slider, this.inSliderUnit(compression));
   }
 
-  /** End the drag. `look` then sends x₀ [m]. */
+  /** End the drag. `update` then sends x₀ [m]. */
   drop(compression) {
     this.drawn = null;
     this.unsent = compression;
   }
 
   /** Send x₀ [m] like a typed value, which may be between two steps. */
-  enter(compression) {
-    bus.publish(`enter/${this.slabKey}`, String(this.onSlider(compression)));
+  send(compression) {
+    bus.publish(`enter/${this.slabKey}`, String(this.inSliderUnit(compression)));
   }
 }
