@@ -21,7 +21,7 @@ from ramanujan.derivation.energies import PARTS
 from ramanujan.derivation.model import k, m, m_prime
 from ramanujan.derivation.nomenclature import nomenclature
 from ramanujan.derivation.numbers import Numbers, is_unit_ratio
-from ramanujan.derivation.rows import rows
+from ramanujan.derivation.rows import make_rows
 from ramanujan.pages.derivation import cache as page
 from ramanujan.pages.oscillator import cache as first_page
 from tests.latex import MARGIN, Formula, Number, equations, formula, last_place, sides
@@ -186,7 +186,7 @@ def of_route(name: str, equal_masses: bool, numbers: Numbers | None) -> Iterator
     """Yield every equation that pages and files show of a route, with its step."""
     route = ROUTES.with_equal_masses(name) if equal_masses else ROUTES[name]
     keys = [step.key for step in route.steps]
-    of_rows = {key: [row.latex for row in rows(route[key], numbers)] for key in keys}
+    of_rows = {key: [row.latex for row in make_rows(route[key], numbers)] for key in keys}
     document = partial(page.document.__wrapped__, name, numbers, drawn=(0.1, 0.1), equal_masses=equal_masses)
     text = re.split(r"^## .*$", document(kind="markdown"), flags=re.MULTILINE)[1:]
     shown = [dict(zip(keys, (re.findall(r"\$\$\n(.*?)\n\$\$", MARGIN.sub("", each)) for each in text), strict=True))]
@@ -302,7 +302,7 @@ def test_only_the_root_is_called_in_step():
     step = ROUTES["euler_lagrange"]["root"]
 
     def lines(mass: float, roller: float) -> list[str]:
-        return [row.latex for row in rows(step, Numbers(mass, roller, 10.0))]
+        return [row.latex for row in make_rows(step, Numbers(mass, roller, 10.0))]
 
     assert r"\frac{\Omega^{2}\,m}{k} = 1" in lines(1.0, UNIT_MASS_RATIO)
     assert r"\varepsilon - \varepsilon_{*} = 0" in lines(1.0, UNIT_MASS_RATIO)
@@ -323,7 +323,7 @@ def test_every_symbol_of_a_route_is_in_its_list(name):
     listed = "\n".join(nomenclature(ROUTES[name]))
     for masses in (None, (1.85, 0.86, 33.5)):
         for step in ROUTES[name].steps:
-            for shown_row in rows(step, Numbers(*masses) if masses else None):
+            for shown_row in make_rows(step, Numbers(*masses) if masses else None):
                 for side in sides(shown_row.latex)[:2]:
                     for symbol in Formula(side).names:
                         # The list contains only the letter of a momentum, a mass matrix or a body’s quantity.

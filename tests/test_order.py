@@ -11,7 +11,7 @@ from ramanujan.derivation import ROUTES, Route
 from ramanujan.derivation.numbers import Numbers
 from ramanujan.derivation.order import in_order
 from ramanujan.derivation.printers import latex
-from ramanujan.derivation.rows import rows
+from ramanujan.derivation.rows import make_rows
 from tests.browser import ROOT
 
 LETTERS = {r"\varphi": "φ", r"\Phi": "Φ", r"\Omega": "Ω", r"\omega": "ω", r"\alpha": "α", r"\xi": "ξ", r"\eta": "η"}
@@ -38,7 +38,7 @@ def read(text: str) -> str:
 
 def lines(route: Route, key: str, numbers: Numbers | None = None) -> list[str]:
     """Return the lines of a step as plain text."""
-    return [read(row.unmarked.latex.rpartition(r":\ ")[2]) for row in rows(route[key], numbers)]
+    return [read(row.unmarked.latex.rpartition(r":\ ")[2]) for row in make_rows(route[key], numbers)]
 
 
 # The paper

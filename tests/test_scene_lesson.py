@@ -87,7 +87,7 @@ def other_than(stop) -> str:
 def frequencies(stop) -> set[str]:
     """Return the texts of all numbers that reveal the frequency of a machine of this stop."""
     texts = set()
-    for machine in {stop.machine, stop.shown, *(run.machine for run in stop.runs)}:
+    for machine in {stop.machine, stop.final_machine, *(run.machine for run in stop.runs)}:
         values = (
             machine.normalized_frequency_squared,
             machine.natural_frequency,

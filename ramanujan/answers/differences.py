@@ -48,7 +48,7 @@ class Difference:
     next_question: str = ""
 
 
-def difference_between(question: Question, typed: sp.Expr, given: Values) -> Difference:
+def difference_between(question: Question, typed: sp.Expr, typed_values: Values) -> Difference:
     """Return how an answer differs from the right one.
 
     Raises
@@ -56,7 +56,7 @@ def difference_between(question: Question, typed: sp.Expr, given: Values) -> Dif
     terms.NotComparableError : the answer cannot be written out term by term.
     """
     if question.kind == NUMBER:
-        return Difference([*_compare_numbers(question, given), *_test_mass_ratio(typed, given[0])])
+        return Difference([*_compare_numbers(question, typed_values), *_test_mass_ratio(typed, typed_values[0])])
     if question.kind == EQUATION:
         return _compare_equations(question, typed)
     compared = question.compare(typed)
@@ -100,14 +100,14 @@ def _compare_formulas(question: Question, compared: Comparison) -> Difference | 
     if terms.shown_factor(compared.right) is not None:
         # Any two products of names differ by a simple factor.
         return None
-    ratio = compared.given / compared.right
+    ratio = compared.typed / compared.right
     names = terms.names_in(ratio)
     # A factor with motion changes the terms of a polynomial, so single terms are compared instead.
     has_motion = question.kind == POLYNOMIAL and names.intersection(MOTION)
     sentences = [] if has_motion else terms.describe_multiple(ratio)
     if sentences:
         return Difference(sentences, is_slip=not names)
-    factor = terms.shown_factor(compared.given * compared.right)
+    factor = terms.shown_factor(compared.typed * compared.right)
     if factor is None:
         return None
     reciprocal = _("Apart from the factor {factor}, this is the reciprocal of the right answer.")
@@ -120,7 +120,7 @@ def _compare_polynomials(question: Question, compared: Comparison) -> Difference
         if question.variables == MOTION:
             return Difference([_("In your answer a velocity or an angle is below a fraction line.")], "")
         return Difference([_("In your answer a mass or a length is below a fraction line.")], "")
-    opposite = replace(compared, given=-compared.given).differences(question.variables)
+    opposite = replace(compared, typed=-compared.typed).differences(question.variables)
     if opposite and len(opposite) == 1 and len(differences) > 1:
         return _list_differences(opposite, _("Multiply your answer by −1. Then only one term differs."))
     return _list_differences(differences)
@@ -170,27 +170,27 @@ def _test_special_masses(question: Question, typed: sp.Expr) -> list[str]:
         values = POINTS[0] | masses
         values[SYMBOLS["eps"]] = values[m_prime] / values[m] if values[m] else 0
         try:
-            given, right = evaluate(typed, values), evaluate(question.right, values)
+            typed_value, right_value = evaluate(typed, values), evaluate(question.right, values)
         except ArithmeticError:
             continue
-        if agree((given,), (right,)):
+        if agree((typed_value,), (right_value,)):
             return sentences
     return []
 
 
-def _compare_numbers(question: Question, given: Values) -> list[str]:
+def _compare_numbers(question: Question, typed_values: Values) -> list[str]:
     """Return a sentence about the quotient of the number and the right one, or about the part that is right."""
     right = question.right_values
-    quotient = rational_ratio(given, right)
+    quotient = rational_ratio(typed_values, right)
     if quotient is not None:
         return terms.describe_multiple(terms.FIELD(quotient.numerator) / quotient.denominator)
     # A number has the same value at all points.
-    given_number, right_number = given[0], right[0]
+    typed_number, right_number = typed_values[0], right[0]
     without_root, _with_root = question.right.expand().as_independent(sp.Pow)
     rational_part = evaluate(without_root, POINTS[0])
-    if _is_rational(given_number - right_number):
+    if _is_rational(typed_number - right_number):
         return [_("The part of your answer with the root is right. The part without the root is not.")]
-    if not _is_rational(given_number) and _is_rational((given_number - rational_part) ** 2):
+    if not _is_rational(typed_number) and _is_rational((typed_number - rational_part) ** 2):
         return [_("The part of your answer without the root is right. The part with the root is not.")]
     return []
 
@@ -208,12 +208,12 @@ def _test_mass_ratio(typed: sp.Expr, ratio: Number) -> Iterator[str]:
         return
     values = point(m=1, k=1, **{"m'": ratio})
     frequency = evaluate(find_question("natural_frequency_squared").right, values)
-    shown, difference = float(ratio), float(abs(frequency - 1))
+    epsilon, difference = float(ratio), float(abs(frequency - 1))
     if difference < 1e-5:
         close = _("With ε = {ratio}, Ω² and k/m differ by {difference} k/m, not by zero.")
-        yield close.format(ratio=format_number(shown, 12, strip=True), difference=format_number(difference, 4))
+        yield close.format(ratio=format_number(epsilon, 12, strip=True), difference=format_number(difference, 4))
     else:
         far = _("With ε = {ratio} you get Ω² = {frequency} k/m.")
         yield far.format(
-            ratio=format_number(shown, 6, strip=True), frequency=format_number(float(frequency), 6, strip=True)
+            ratio=format_number(epsilon, 6, strip=True), frequency=format_number(float(frequency), 6, strip=True)
         )

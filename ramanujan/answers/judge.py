@@ -91,11 +91,11 @@ def _replace_letters(question: Question, typed: sp.Expr) -> sp.Expr:
 
 
 def _compare(question: Question, typed: sp.Expr, letters: list[sp.Symbol]) -> Verdict:
-    given = question.evaluate(typed)
-    if not values.agree(given, question.right_values):
+    typed_values = question.evaluate(typed)
+    if not values.agree(typed_values, question.right_values):
         if _has_denominator(question, typed):
             return Verdict("unsimplified", _("Right so far! What do you get if you multiply by the denominator?"))
-        return Verdict("wrong", " ".join(_explain(question, typed, given)))
+        return Verdict("wrong", " ".join(_explain(question, typed, typed_values)))
     if letters:
         sentences = [_("Right so far!")]
         for letter in letters:
@@ -125,23 +125,23 @@ def _has_denominator(question: Question, typed: sp.Expr) -> bool:
     return bool(numerator) and factor.isdisjoint(question.variables)
 
 
-def _explain(question: Question, typed: sp.Expr, given: values.Values) -> list[str]:
+def _explain(question: Question, typed: sp.Expr, typed_values: values.Values) -> list[str]:
     """Return sentences about a wrong answer, the last one with the next question.
 
     The first explanation wins: a known slip, a rounded number, a difference of the whole formula, or wrong bodies.
     Without one, the sentences are about the unit, the names and the single terms.
     """
-    is_zero = not any(given)
+    is_zero = not any(typed_values)
     if is_zero and question.kind == EQUATION:
         return [_("Both sides of your equation are equal."), question.next_question]
     if is_zero:
         return [_("Your answer is zero."), question.next_question]
-    hint = _first_hint(question.values_of_slips, given) or _explain_rounding(question, typed)
+    hint = _first_hint(question.values_of_slips, typed_values) or _explain_rounding(question, typed)
     if hint:
         return [hint]
-    difference = _find_difference(question, typed, given)
+    difference = _find_difference(question, typed, typed_values)
     if not _is_explained(question, difference):
-        hint = _explain_wrong_bodies(question, given)
+        hint = _explain_wrong_bodies(question, typed_values)
         if hint:
             return [hint]
     return _explain_difference(question, typed, difference)
@@ -171,23 +171,23 @@ def _explain_difference(question: Question, typed: sp.Expr, difference: Differen
     return [*sentences, difference.next_question or next_of_term]
 
 
-def _find_difference(question: Question, typed: sp.Expr, given: values.Values) -> Difference:
+def _find_difference(question: Question, typed: sp.Expr, typed_values: values.Values) -> Difference:
     try:
-        return difference_between(question, typed, given)
+        return difference_between(question, typed, typed_values)
     except terms.NotComparableError as error:
         return Difference([str(error)])
 
 
-def _first_hint(mistakes: values.Mistakes, given: values.Values) -> str | None:
-    return next((hint for hint, wrong in mistakes if values.agree(given, wrong)), None)
+def _first_hint(mistakes: values.Mistakes, typed_values: values.Values) -> str | None:
+    return next((hint for hint, wrong in mistakes if values.agree(typed_values, wrong)), None)
 
 
-def _explain_wrong_bodies(question: Question, given: values.Values) -> str | None:
+def _explain_wrong_bodies(question: Question, typed_values: values.Values) -> str | None:
     """Return the hint at a wrong body, None if no wrong body explains the answer."""
-    hint = _first_hint(question.values_of_wrong_bodies, given)
+    hint = _first_hint(question.values_of_wrong_bodies, typed_values)
     if hint or not question.of_one_body:
         return hint
-    hint_without_half = _first_hint(question.values_of_wrong_bodies, tuple(value / 2 for value in given))
+    hint_without_half = _first_hint(question.values_of_wrong_bodies, tuple(value / 2 for value in typed_values))
     if hint_without_half:
         return _("{hint} A factor ½ is missing as well.").format(hint=hint_without_half)
     return None

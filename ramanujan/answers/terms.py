@@ -204,7 +204,7 @@ def summarize(differences: list[TermDifference]) -> list[str]:
 
 
 def describe_multiple(ratio: FracElement) -> list[str]:
-    """Return a sentence with the ratio of the given answer to the right one; an empty list unless it is simple."""
+    """Return a sentence with the ratio of the typed answer to the right one; an empty list unless it is simple."""
     factor = shown_factor(ratio)
     if factor is None:
         return []
@@ -240,12 +240,12 @@ class Comparison:
 
     Parameters
     ----------
-    given : the answer
+    typed : the answer
     right : the right answer
     without_signs : the answer with every minus sign replaced by a plus, so that no two of its terms cancel
     """
 
-    given: FracElement
+    typed: FracElement
     right: FracElement
     without_signs: FracElement
 
@@ -257,17 +257,17 @@ class Comparison:
         variables : the variables of the polynomials; their coefficients may contain all other names
         place : a template for a term and its place, such as "{term} in the numerator"
         """
-        given = _collect_coefficients(self.given, variables)
+        typed = _collect_coefficients(self.typed, variables)
         right = _collect_coefficients(self.right, variables)
         without_signs = _collect_coefficients(self.without_signs, variables) or {}
-        if given is None or right is None:
+        if typed is None or right is None:
             return None
         differences = []
-        for powers in sorted(given.keys() | right.keys(), reverse=True):
+        for powers in sorted(typed.keys() | right.keys(), reverse=True):
             coefficients = Comparison(
-                given.get(powers, FIELD.zero), right.get(powers, FIELD.zero), without_signs.get(powers, FIELD.zero)
+                typed.get(powers, FIELD.zero), right.get(powers, FIELD.zero), without_signs.get(powers, FIELD.zero)
             )
-            if coefficients.given != coefficients.right:
+            if coefficients.typed != coefficients.right:
                 product = _shown_product(powers)
                 term = place.format(term=product) if product else ""
                 differences.append(coefficients._describe_coefficient(product, term, variables))
@@ -279,27 +279,27 @@ class Comparison:
         For a sum of masses in which only one term is wrong, the sentence is about that term.
         """
         is_sum_of_masses = variables != NAMES and len(self.right.numer) > 1
-        if is_sum_of_masses and self.given:
+        if is_sum_of_masses and self.typed:
             of_masses = self.differences(NAMES, f"{{term}}{product}")
             if of_masses and len(of_masses) == 1:
                 return replace(of_masses[0], term=product)
-        cancels = bool(self.without_signs) and not self.given
+        cancels = bool(self.without_signs) and not self.typed
         return TermDifference(product, self._sentence(term), self._is_slip(), cancels)
 
     def _is_slip(self) -> bool:
         right = self.right
-        return self.given in (0, -right, 2 * right, right / 2, _interchange_masses(right))
+        return self.typed in (0, -right, 2 * right, right / 2, _interchange_masses(right))
 
     def _sentence(self, term: str) -> str:
         """Return a sentence about a coefficient that differs."""
         words = _OF_A_TERM if term else _OF_THE_CONSTANT
         if not self.right:
             return words.extra.format(term=term)
-        if not self.given:
+        if not self.typed:
             return (words.cancels if self.without_signs else words.missing).format(term=term)
-        if term and {"m", "m'"} <= names_in(self.right) and self.given == _interchange_masses(self.right):
+        if term and {"m", "m'"} <= names_in(self.right) and self.typed == _interchange_masses(self.right):
             return _("In your coefficient of {term} m and m′ are interchanged.").format(term=term)
-        factor = shown_factor(self.given / self.right)
+        factor = shown_factor(self.typed / self.right)
         if factor is None:
             return words.wrong.format(term=term)
         sentence_about_names = self._compare_names(term) if term else None
@@ -310,7 +310,7 @@ class Comparison:
 
     def _compare_names(self, term: str) -> str | None:
         """Return a sentence about the names in which the coefficients differ, None if their numbers differ, too."""
-        ratio = self.given / self.right
+        ratio = self.typed / self.right
         if not names_in(ratio) or ratio.numer.LC * ratio.denom.LC != 1:
             return None
         if ratio.denom == 1:
@@ -329,16 +329,16 @@ class Comparison:
     # Of the whole formula
 
     def equation_differences(self, variables: tuple[str, ...]) -> list[TermDifference] | None:
-        """Return the differences of the equations “given = 0” and “right = 0”.
+        """Return the differences of the equations “typed = 0” and “right = 0”.
 
-        The right equation is first multiplied by a factor, which makes one of its terms equal to the given one. The
+        The right equation is first multiplied by a factor, which makes one of its terms equal to the typed one. The
         factor with the fewest differences counts.
         """
-        given = _collect_coefficients(self.given, variables) or {}
+        typed = _collect_coefficients(self.typed, variables) or {}
         right = _collect_coefficients(self.right, variables) or {}
         alternatives = []
-        for powers in given.keys() & right.keys():
-            factor = given[powers] / right[powers]
+        for powers in typed.keys() & right.keys():
+            factor = typed[powers] / right[powers]
             differences = replace(self, right=self.right * factor).differences(variables)
             if differences:
                 alternatives.append(differences)
@@ -347,19 +347,19 @@ class Comparison:
     def fraction_differences(self) -> tuple[str, list[TermDifference]] | None:
         """Return a sentence about the right part of a fraction, and the differences in its other part; or None.
 
-        Let N/D be the right answer. With the denominator D, the typed answer is (given·D)/D. With the numerator N, it
-        is N/(N/given).
+        Let N/D be the right answer. With the denominator D, the typed answer is (typed·D)/D. With the numerator N, it
+        is N/(N/typed).
         """
         N, D = FIELD(self.right.numer), FIELD(self.right.denom)
-        numerators = Comparison(self.given * D, N, self.without_signs * D)
-        denominators = Comparison(N / self.given, D, N / self.without_signs)
+        numerators = Comparison(self.typed * D, N, self.without_signs * D)
+        denominators = Comparison(N / self.typed, D, N / self.without_signs)
         # TRANSLATORS: {term} is a product of symbols; the whole stands for {term} in: Your coefficient of {term} is …
         numerator = numerators.differences(NAMES, _("{term} in the numerator"))
         # TRANSLATORS: as before, of a term below the fraction line.
         denominator = denominators.differences(NAMES, _("{term} in the denominator"))
-        if numerator and not names_in(FIELD(self.given.denom) / D):
+        if numerator and not names_in(FIELD(self.typed.denom) / D):
             return _("Written as one fraction, your answer has the right denominator."), numerator
-        if denominator and not names_in(FIELD(self.given.numer) / N):
+        if denominator and not names_in(FIELD(self.typed.numer) / N):
             return _("Written as one fraction, your answer has the right numerator."), denominator
         # Reducing a wrong fraction to lowest terms may change both parts. Then the expanded fraction is compared.
         if numerator and len(numerator) == 1:

@@ -89,7 +89,7 @@ def _quotient_step(inertia: sp.Expr, path: sp.Expr, speed: sp.Expr, stiffness: s
         ),
         equation(2 * sp.Symbol("U") / path**2, stiffness),
         equation(2 * sp.Symbol("T") / speed**2, inertia),
-        operations=tuple(rf"\div \left(\tfrac12{latex(each**2)}\right)" for each in (path, speed)),
+        operations=tuple(rf"\div \left(\tfrac12{latex(factor**2)}\right)" for factor in (path, speed)),
     )
 
 

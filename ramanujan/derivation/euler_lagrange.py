@@ -12,7 +12,7 @@ from ramanujan.derivation.in_step import close_to_one_step, unit_steps
 from ramanujan.derivation.model import COORDINATES, MOMENTA, Omega_squared, equation, gather, k, m, m_prime, phi, t
 from ramanujan.derivation.order import in_order
 from ramanujan.derivation.printers import latex
-from ramanujan.derivation.steps import ROUTES, Route, Step, compare, insert, margin_text, solve_for, step
+from ramanujan.derivation.steps import ROUTES, Route, Step, compare_factors, insert, margin_text, solve_for, step
 from ramanujan.translation import _
 
 
@@ -154,7 +154,7 @@ def _frequency_step(result: Elimination) -> Step:
         oscillator,
         equation(Omega_squared, result.natural_frequency_squared),
         marks=("left 2", ""),
-        operations=(insert(r"\varphi=\cos\Omega t"), compare(phi)),
+        operations=(insert(r"\varphi=\cos\Omega t"), compare_factors(phi)),
     )
 
 

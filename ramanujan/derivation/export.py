@@ -12,7 +12,7 @@ import sympy as sp
 from ramanujan.derivation.nomenclature import DOTS, nomenclature
 from ramanujan.derivation.notebooks import BODIES, CHECK, DISTANCE, FREQUENCY
 from ramanujan.derivation.numbers import Numbers, state_numbers
-from ramanujan.derivation.rows import Row, measure_left_sides, measure_width, rows
+from ramanujan.derivation.rows import Row, make_rows, measure_left_sides, measure_width
 from ramanujan.derivation.steps import Route, Step
 from ramanujan.translation import _, pgettext
 
@@ -109,8 +109,9 @@ def to_beamer(route: Route, numbers: Numbers | None = None, picture: str = "", s
     sentence = f"\n{prose_to_latex(state_numbers(numbers))}\n" if numbers else ""
     machine = f"\\centering\n% {_ANY_PICTURE}\n{picture}{sentence}"
     frames = [("title", "", "\\titlepage\n"), ("machine", prose_to_latex(_MACHINE), machine)]
-    for each in route.steps if step is None else route.steps[step - 1 : step]:
-        frames += _build_frames(each, numbers)
+    steps = route.steps if step is None else route.steps[step - 1 : step]
+    for shown_step in steps:
+        frames += _build_frames(shown_step, numbers)
     body = "".join(f"\\begin{{frame}}[label={label}]{{{head}}}\n{text}\\end{{frame}}\n" for label, head, text in frames)
     return f"{_SLIDES}{_WORDS}{title}\\begin{{document}}\n{body}\\end{{document}}\n"
 
@@ -166,14 +167,14 @@ def prose_to_latex(text: str) -> str:
 def _latex_section(step: Step, numbers: Numbers | None) -> str:
     adapted = step.for_numbers(numbers)
     heading, reason = prose_to_latex(adapted.heading), prose_to_latex(adapted.reason)
-    equations = _format_equations(_break_lines(rows(step, numbers), _LINE_WIDTH), _LINE_WIDTH)
+    equations = _format_equations(_break_lines(make_rows(step, numbers), _LINE_WIDTH), _LINE_WIDTH)
     return f"\\section{{{heading}}}\n{reason}\n{equations}"
 
 
 def _build_frames(step: Step, numbers: Numbers | None) -> list[tuple[str, str, str]]:
     """Return the frames of a step, each with its label, heading and content: its reason, then its equations."""
     adapted = step.for_numbers(numbers)
-    broken = _break_lines(rows(step, numbers), _SLIDE_WIDTH)
+    broken = _break_lines(make_rows(step, numbers), _SLIDE_WIDTH)
     texts = [_format_equations(part, _SLIDE_WIDTH) if part else "" for part in _distribute(broken)]
     texts[0] = f"{prose_to_latex(adapted.reason)}\n{texts[0]}"
     labels = [step.key, *(f"{step.key}-{number}" for number in range(2, len(texts) + 1))]
@@ -214,7 +215,7 @@ def _format_equations(broken: list[BrokenRow], width: int) -> str:
 
 def _markdown_section(number: int, step: Step, numbers: Numbers | None) -> str:
     adapted = step.for_numbers(numbers)
-    equations = (f"$$\n{row.latex}{row.margin}\n$$" for row in rows(step, numbers))
+    equations = (f"$$\n{row.latex}{row.margin}\n$$" for row in make_rows(step, numbers))
     return "\n\n".join([f"## {number}. {adapted.heading}", adapted.reason, *equations])
 
 

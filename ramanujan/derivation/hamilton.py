@@ -11,7 +11,7 @@ from ramanujan.derivation import model
 from ramanujan.derivation.model import COORDINATES, MOMENTA, VELOCITIES, M_e, M_x, Machine, R, equation, gather, phi, t
 from ramanujan.derivation.order import in_order
 from ramanujan.derivation.printers import latex
-from ramanujan.derivation.steps import ROUTES, Route, Step, compare, insert, margin_text, solve_for, step
+from ramanujan.derivation.steps import ROUTES, Route, Step, compare_factors, insert, margin_text, solve_for, step
 from ramanujan.translation import _
 
 X_dot, phi_dot, Phi_dot = VELOCITIES
@@ -181,7 +181,7 @@ def _reduction_step(constant: sp.Expr, effective_mass: sp.Expr, one_degree: sp.E
         marks=("right 1, right 3", "", ""),
         operations=(
             margin_text(_("complete the square")),
-            compare(p_phi**2),
+            compare_factors(p_phi**2),
             margin_text(_("compare what is constant")),
         ),
     )
@@ -206,7 +206,7 @@ def _frequency_step(
         equation(model.Omega_squared, stiffness / M_e),
         equation(M_x, sp.factor(effective_mass / squared_ratio)),
         equation(model.Omega_squared, frequency),
-        operations=(insert(p_phi.diff(t)), compare(phi), rf"\div {latex(squared_ratio)}", insert(M_e)),
+        operations=(insert(p_phi.diff(t)), compare_factors(phi), rf"\div {latex(squared_ratio)}", insert(M_e)),
     )
 
 

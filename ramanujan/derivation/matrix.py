@@ -160,7 +160,7 @@ def _spectrum_step(eigenvalues: sp.Tuple, oscillating: sp.Expr) -> Step:
             "Zero is a double root: two modes have no restoring force. The third root is the square of the natural "
             "frequency."
         ),
-        equation(sp.Tuple(*(each**2 for each in sp.symbols("omega_1:4"))), eigenvalues),
+        equation(sp.Tuple(*(frequency**2 for frequency in sp.symbols("omega_1:4"))), eigenvalues),
         equation(Omega_squared, oscillating),
         operations=(solve_for(omega**2), margin_text(_("the third root"))),
     )

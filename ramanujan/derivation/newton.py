@@ -27,7 +27,7 @@ from ramanujan.derivation import model
 from ramanujan.derivation.energies import PARTS, velocity_reason
 from ramanujan.derivation.model import ACCELERATIONS, Body, Machine, R, equation, gather, k, machine, phi, t
 from ramanujan.derivation.printers import latex
-from ramanujan.derivation.steps import ROUTES, Route, Step, compare, insert, margin_text, solve_for, step
+from ramanujan.derivation.steps import ROUTES, Route, Step, compare_factors, insert, margin_text, solve_for, step
 from ramanujan.translation import _
 
 TOP, BOTTOM = 1, -1
@@ -375,7 +375,7 @@ def _frequency_step(of_phi: sp.Expr, solved_phi_ddot: sp.Expr, frequency: sp.Exp
         equation(phi_ddot, solved_phi_ddot),
         equation(model.Omega_squared, frequency),
         marks=("left 1", "", ""),
-        operations=(insert(X_ddot), solve_for(phi_ddot), compare(phi)),
+        operations=(insert(X_ddot), solve_for(phi_ddot), compare_factors(phi)),
     )
 
 

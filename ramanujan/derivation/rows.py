@@ -112,18 +112,18 @@ class Row:
         return lines
 
 
-def rows(step: Step, numbers: Numbers | None = None, make: Callable[..., Row] | None = None) -> list[Row]:
+def make_rows(step: Step, numbers: Numbers | None = None, make: Callable[..., Row] | None = None) -> list[Row]:
     """Return the equations of a step as rows without duplicates, in symbols or with the numbers of a machine.
 
     Parameters
     ----------
     step : one step of a route, in symbols
     numbers : of the machine; none for the symbols
-    make : function (equation, label, commands) → row; `row` by default
+    make : function (equation, label, commands) → row; `make_row` by default
 
     >>> from ramanujan.derivation import ROUTES
     >>> from ramanujan.derivation.numbers import Numbers
-    >>> [row.latex for row in rows(ROUTES["energy"]["frequency"], Numbers(1, 1, 10))][0]
+    >>> [row.latex for row in make_rows(ROUTES["energy"]["frequency"], Numbers(1, 1, 10))][0]
     'M_{e} = \\\\frac{99}{26} \\\\approx 3.8076923\\\\,\\\\mathrm{kg}'
     """
     adapted = step.for_numbers(numbers)
@@ -134,7 +134,9 @@ def rows(step: Step, numbers: Numbers | None = None, make: Callable[..., Row] | 
     distinct: dict[Row, Row] = {}
     for equation, label, operation, mark in zip(adapted.equations, labels, operations, marks, strict=True):
         commands = _mark_commands(mark)
-        new_row = make(equation, label, commands) if make else row(equation, numbers, label=label, commands=commands)
+        new_row = (
+            make(equation, label, commands) if make else make_row(equation, numbers, label=label, commands=commands)
+        )
         # An operation that leads to several equations is shown beside the first one.
         shown_operation = "" if operation == previous_operation else operation
         distinct.setdefault(new_row, replace(new_row, operation=shown_operation))
@@ -148,7 +150,7 @@ def _mark_commands(marks: str) -> tuple[TermCommand, ...]:
     return tuple(TermCommand(SIDES.index(side), int(place) - 1, _MARK) for side, place in places)
 
 
-def row(
+def make_row(
     equation: sp.Eq,
     numbers: Numbers | None = None,
     highlight: Highlight = (),
@@ -165,8 +167,8 @@ def row(
     label : LaTeX before the equation
     commands : LaTeX commands for some terms
     """
-    left = side_terms(equation.lhs, numbers, highlight, [each for each in commands if each.side == 0])
-    right = side_terms(equation.rhs, numbers, highlight, [each for each in commands if each.side == 1])
+    left = side_terms(equation.lhs, numbers, highlight, [command for command in commands if command.side == 0])
+    right = side_terms(equation.rhs, numbers, highlight, [command for command in commands if command.side == 1])
     labelled = [rf"{label}:\ ", *left] if label else left
     return Row("".join(labelled), tuple(right), _format_value(equation, numbers) if numbers else "")
 
@@ -185,7 +187,7 @@ def side_terms(
     texts = []
     parts_of_terms = numbers.terms(side) if numbers else [(term,) for term in ordered_terms(side)]
     for place, parts in enumerate(parts_of_terms):
-        of_term = [each.command for each in commands if each.place == place]
+        of_term = [command.command for command in commands if command.place == place]
         for part in parts:
             if part != 0:
                 texts.append(_apply_commands(printer.doprint(part), of_term))
@@ -220,61 +222,61 @@ def measure_width(formula: str) -> int:
     return len(_INVISIBLE.sub("", _COMMAND.sub("x", formula)))
 
 
-def align(shown: Sequence[Row], width: int, gap: str = ".5em", room: float = math.inf) -> str:
+def align(rows: Sequence[Row], width: int, gap: str = ".5em", room: float = math.inf) -> str:
     """Return rows as one display: aligned at the left if a row ends in = 0, else at the equals signs; "" for no rows.
 
     Parameters
     ----------
-    shown : the rows
+    rows : the rows
     width : characters of a right side that fit into a line
     gap : space between equations
     room : the largest number of characters of an equation with its operation beside it instead of below
     """
-    left_width = measure_left_sides(shown)
-    if any(each.right == "0" for each in shown):
-        texts = [_format_in_one_line(each, room) for each in shown]
+    left_width = measure_left_sides(rows)
+    if any(row.right == "0" for row in rows):
+        texts = [_format_in_one_line(row, room) for row in rows]
     else:
         # A column of operations would be far away from broken lines.
-        is_broken = any(len(each.lines(width, left_width)) > 1 for each in shown)
-        column = 0 if is_broken else max((measure_width(each.right) for each in shown), default=0)
-        texts = [_format_in_lines(each, width, left_width, column, room) for each in shown]
+        is_broken = any(len(row.lines(width, left_width)) > 1 for row in rows)
+        column = 0 if is_broken else max((measure_width(row.right) for row in rows), default=0)
+        texts = [_format_in_lines(row, width, left_width, column, room) for row in rows]
     lines = rf" \\[{gap}] ".join(texts)
     return rf"\begin{{aligned}}{lines}\end{{aligned}}" if lines else ""
 
 
-def align_for_phone(shown: Sequence[Row]) -> str:
+def align_for_phone(rows: Sequence[Row]) -> str:
     """Return rows as one display for a phone: short lines, each operation below its line."""
-    return align(shown, _PHONE, ".8em", room=0)
+    return align(rows, _PHONE, ".8em", room=0)
 
 
-def measure_left_sides(shown: Iterable[Row]) -> int:
+def measure_left_sides(rows: Iterable[Row]) -> int:
     """Return the approximate number of characters of the longest left side."""
-    return max((measure_width(each.left) for each in shown), default=0)
+    return max((measure_width(make_row.left) for make_row in rows), default=0)
 
 
-def _format_in_one_line(shown: Row, room: float) -> str:
+def _format_in_one_line(row: Row, room: float) -> str:
     """Return an equation that is aligned at its beginning."""
-    return f"&{shown.latex}" + _add_operation(shown, measure_width(shown.left + shown.right), "", room)
+    return f"&{row.latex}" + _add_operation(row, measure_width(row.left + row.right), "", room)
 
 
-def _format_in_lines(shown: Row, width: int, left_width: int, column: int, room: float) -> str:
+def _format_in_lines(row: Row, width: int, left_width: int, column: int, room: float) -> str:
     """Return an equation that is aligned at its equals sign.
 
     Parameters
     ----------
-    shown : the row
+    row : the row
     width, left_width : as in `Row.lines`
     column : characters between the equals signs and a column of operations; 0 if there is no such column
     room : as in `align`
     """
-    lines = shown.lines(width, left_width)
-    text = rf"{shown.left} &= " + r" \\[.3em] &\quad ".join(lines)
+    lines = row.lines(width, left_width)
+    text = rf"{row.left} &= " + r" \\[.3em] &\quad ".join(lines)
     text_width = left_width + (column or measure_width(lines[-1]))
-    return text + _add_operation(shown, text_width, " &&" if column else "", room)
+    return text + _add_operation(row, text_width, " &&" if column else "", room)
 
 
-def _add_operation(shown: Row, text_width: int, separator: str, room: float) -> str:
+def _add_operation(row: Row, text_width: int, separator: str, room: float) -> str:
     """Return the operation of a row, after a separator, or below the row if the row is wider than `room`."""
-    if not shown.margin:
+    if not row.margin:
         return ""
-    return f"{separator if text_width <= room else _BELOW}{shown.margin}"
+    return f"{separator if text_width <= room else _BELOW}{row.margin}"

@@ -59,33 +59,33 @@ def step(key: str, heading: str, reason: str, *equations: sp.Eq, **more: Any) ->
     return Step(key, heading, reason, equations, **more)
 
 
-def margin_text(operation: str, *what: sp.Basic | str) -> str:
+def margin_text(operation: str, *expressions: sp.Basic | str) -> str:
     """Return an operation as LaTeX for the margin; expressions, or their LaTeX, fill the slot {what}.
 
     >>> print(margin_text("insert {what}", sp.Symbol("x"), "y"))
     \\text{insert $x$, $y$}
     """
-    formulas = [each if isinstance(each, str) else latex(each) for each in what]
-    listed = ", ".join(f"${formula}$" for formula in formulas)
-    return rf"\text{{{operation.format(what=listed)}}}"
+    formulas = [text if isinstance(text, str) else latex(text) for text in expressions]
+    what = ", ".join(f"${formula}$" for formula in formulas)
+    return rf"\text{{{operation.format(what=what)}}}"
 
 
-def insert(*what: sp.Basic | str) -> str:
+def insert(*expressions: sp.Basic | str) -> str:
     """Return the operation that inserts known expressions."""
     # TRANSLATORS: an operation, written beside an equation; {what} is a formula.
-    return margin_text(_("insert {what}"), *what)
+    return margin_text(_("insert {what}"), *expressions)
 
 
-def solve_for(what: sp.Basic) -> str:
+def solve_for(unknown: sp.Basic) -> str:
     """Return the operation that solves for an unknown."""
     # TRANSLATORS: an operation, written beside an equation; {what} is a symbol.
-    return margin_text(_("solve for {what}"), what)
+    return margin_text(_("solve for {what}"), unknown)
 
 
-def compare(what: sp.Basic) -> str:
+def compare_factors(expression: sp.Basic) -> str:
     """Return the operation that compares the factors of an expression in two forms of one equation."""
     # TRANSLATORS: an operation, written beside an equation; {what} is a symbol.
-    return margin_text(_("compare the factors of {what}"), what)
+    return margin_text(_("compare the factors of {what}"), expression)
 
 
 @dataclass(frozen=True)

@@ -53,8 +53,8 @@ def axis_with_room(title: str, curves: Sequence[np.ndarray], most: float) -> tup
     curves : the values of each curve
     most : the largest exponent on the axis
     """
-    exponents = [each[np.isfinite(each)] for each in map(logarithm, curves)]
-    exponents = [each for each in exponents if each.size] or [np.array([-1.0, 0.0])]
+    exponents = [values[np.isfinite(values)] for values in map(logarithm, curves)]
+    exponents = [values for values in exponents if values.size] or [np.array([-1.0, 0.0])]
     least = min(map(np.min, exponents))
     high = min(most, max(map(np.max, exponents)))
     low = _find_compressed_end(exponents, least)
@@ -80,7 +80,7 @@ def axis_with_room(title: str, curves: Sequence[np.ndarray], most: float) -> tup
 
 def _find_compressed_end(exponents: Sequence[np.ndarray], least: float) -> float:
     """Return the exponent below which an axis is compressed; without a wide gap between curves, the lower end."""
-    medians = np.sort([np.median(each) for each in exponents])
+    medians = np.sort([np.median(values) for values in exponents])
     gaps = np.diff(medians)
     if gaps.size:
         widest = int(np.argmax(gaps))

@@ -103,7 +103,7 @@ STOPS = (
             "The slab moves right at {slab:3 cm/s} relative to the block, so the block moves left at {block:3 cm/s}. "
             "The centre of mass stays where it is."
         ),
-        numbers=_velocity_numbers,
+        answer_numbers=_velocity_numbers,
         hints=(_("Which horizontal forces act on the machine as a whole?"),),
         purpose=_("Conservation of momentum gives the answer, without any calculation."),
         expect=_("Some let the slab carry the block along, as friction would on a rough floor."),
@@ -119,7 +119,7 @@ STOPS = (
             "centres of the lower rollers move half as far, {centre:1 cm}. How far do these centres move relative to "
             "the ground?"
         ),
-        given={"whole": 2 * _CM * COMPRESSION, "centre": _CM * COMPRESSION},
+        question_numbers={"whole": 2 * _CM * COMPRESSION, "centre": _CM * COMPRESSION},
         options=dict(
             all=_("As far as on the block."),
             tenth=_("Less than a tenth of that."),
@@ -145,7 +145,7 @@ STOPS = (
             "cm} to the right. Relative to the ground, only {over_ground:3 cm} is left. The lower rollers spin almost "
             "on the spot."
         ),
-        numbers=_path_numbers,
+        answer_numbers=_path_numbers,
         hints=(
             _(
                 "Add two velocities: that of a centre relative to the block, and that of the block relative to the "
@@ -189,7 +189,7 @@ STOPS = (
             "bodies follow the same cosine. They all stop at the same instants, so none of them has kinetic energy "
             "then."
         ),
-        numbers=lambda: {
+        answer_numbers=lambda: {
             "spring": _energy_shares(0.5)["spring"],
             "stretch": _CM * abs(float(relative_positions(EQUAL, state_after(0.5)[0])["slab"])),
         },
@@ -227,7 +227,7 @@ STOPS = (
             "%}, the top cylinder {top:2 %}. The slab is the fastest body. The hoop hardly travels, but it spins and "
             "has the largest moment of inertia for its mass."
         ),
-        numbers=lambda: {
+        answer_numbers=lambda: {
             **_energy_shares(0.25),
             "block_speed": _CM * abs(float(ground_velocities(EQUAL, state_after(0.25)[1])["block"])),
         },

@@ -77,8 +77,8 @@ STOPS = (
             "together have a mass of {total:1 kg}, but the spring feels only {shown.effective_mass:3 kg}. Block and "
             "slab move in opposite directions. The centres of the lower rollers hardly move at all."
         ),
-        given={"total": _TOTAL, "ratio": _TOTAL / EQUAL.m},
-        numbers=lambda: {"turns": turns_ahead(EQUAL), "slow": _PERIODS * (1 - math.sqrt(EQUAL.m / _TOTAL))},
+        question_numbers={"total": _TOTAL, "ratio": _TOTAL / EQUAL.m},
+        answer_numbers=lambda: {"turns": turns_ahead(EQUAL), "slow": _PERIODS * (1 - math.sqrt(EQUAL.m / _TOTAL))},
         hints=(
             _(
                 "Suppose the spring had to move all five bodies as one. The period would then be √{ratio:1} times as "
@@ -123,7 +123,7 @@ STOPS = (
             "lower rollers hardly travel, but they spin. With equal masses their spin holds {spin:2 %} of the kinetic "
             "energy. With light rollers it holds only {light_spin:2 %}, so the spring has less to set in motion."
         ),
-        numbers=lambda: {"spin": rotation_share(EQUAL), "light_spin": rotation_share(LIGHT)},
+        answer_numbers=lambda: {"spin": rotation_share(EQUAL), "light_spin": rotation_share(LIGHT)},
         hints=(_("What does a roller do besides moving from place to place?"),),
         purpose=_("Students learn to separate travelling from spinning."),
         expect=_("Those who noticed that the lower rollers hardly move often answer that their mass cannot matter."),
@@ -159,7 +159,7 @@ STOPS = (
             "hand is {turns:3} full turns behind. At ε = {equal.mass_ratio:1} the machine was faster, at ε = "
             "{shown.mass_ratio:1} it is slower. Somewhere between these ratios the two are in step."
         ),
-        numbers=lambda: {"turns": -turns_ahead(HEAVY)},
+        answer_numbers=lambda: {"turns": -turns_ahead(HEAVY)},
         hints=(_("With light rollers the machine became faster. What does that tell you about heavy ones?"),),
         purpose=_("The order of the two clocks changes, so there must be a ratio at which they agree."),
         expect=_("Most get it right after the previous stop. Ask for the argument with the intermediate value."),
@@ -197,7 +197,7 @@ STOPS = (
         ),
         purpose=_("Dimensional analysis gives the answer: k can enter a period only as 1/√k."),
         expect=_("“Larger” is common: a stiff spring is thought to favour the complicated machine."),
-        then=STIFF,
+        changed_machine=STIFF,
         dials=True,
         onward=Onward(_("Drag k on the page Oscillator")),
     ),
@@ -230,7 +230,7 @@ STOPS = (
         hints=(_("Through which angle does a roller of twice the radius turn when it rolls the same distance?"),),
         purpose=_("Rolling couples spin to travel, so R drops out."),
         expect=_("“Longer” is common, because the moment of inertia is four times as large."),
-        runs=tuple(Run(each, label=filled(_RADIUS, radius=100 * each.radius)) for each in (EQUAL, LARGE)),
+        runs=tuple(Run(machine, label=filled(_RADIUS, radius=100 * machine.radius)) for machine in (EQUAL, LARGE)),
         onward=Onward(_("Drag R on the page Oscillator, under “More”")),
     ),
 )

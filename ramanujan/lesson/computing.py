@@ -107,7 +107,7 @@ STOPS = (
             "period. The second uses velocity Verlet with {few}. In which run is the error of the energy larger after "
             "{periods} periods?"
         ),
-        given={"many": STEPS["explicit_euler"], "few": STEPS["velocity_verlet"], "periods": PERIODS},
+        question_numbers={"many": STEPS["explicit_euler"], "few": STEPS["velocity_verlet"], "periods": PERIODS},
         options=dict(euler=_("In the first run."), verlet=_("In the second run."), both=_("It is the same in both.")),
         replies={
             "verlet": _(
@@ -126,7 +126,7 @@ STOPS = (
             "energy in every step. Velocity Verlet preserves areas in the phase plane, so its energy error stays "
             "bounded. It is not exact either: its phase error has grown to {turns:2} of a full turn."
         ),
-        numbers=_error_numbers,
+        answer_numbers=_error_numbers,
         hints=(_("Does a method that is slightly wrong in every step err in the same direction each time?"),),
         purpose=_("The structure of a method can matter more than its step size [4]."),
         expect=_("Nearly everyone trusts the thousand steps. Ask where the additional energy comes from."),
@@ -144,7 +144,7 @@ STOPS = (
             "A program in JavaScript evaluates the paper’s formula, Ω²\u00a0=\u00a0{formula}, in double precision. "
             "Someone enters m\u00a0=\u00a01, k\u00a0=\u00a01 and m′\u00a0=\u00a0{ratio}. What does the program return?"
         ),
-        given={"formula": unbroken(FORMS["paper"].formula), "ratio": _RATIO, "largest": _LARGEST},
+        question_numbers={"formula": unbroken(FORMS["paper"].formula), "ratio": _RATIO, "largest": _LARGEST},
         options=dict(
             message=_("Infinity or an error."), right=_("The right value."), zero=_("Zero."), wrong=_("Another number.")
         ),
@@ -168,7 +168,7 @@ STOPS = (
             "JavaScript prints it without a warning. The right value is {truth:3}. It is small, but it is an ordinary "
             "number for a computer. A formula that first divides m by m′ finds it without trouble."
         ),
-        numbers=lambda: {"truth": _exact_value(), "printed": printed_output().replace("-", "−")},
+        answer_numbers=lambda: {"truth": _exact_value(), "printed": printed_output().replace("-", "−")},
         hints=(_("The largest double-precision number is about {largest:2}. What is the square of {ratio}?"),),
         purpose=_("A correct formula can fail without a warning."),
         expect=_(

@@ -84,7 +84,7 @@ STOPS = (
             "zero mode the whole machine glides. In the second one the top cylinder rolls freely. That makes "
             "{count:word} zero modes beside one oscillating mode. To each zero mode belongs a conserved momentum."
         ),
-        numbers=lambda: {"count": count_zero_modes(EQUAL)},
+        answer_numbers=lambda: {"count": count_zero_modes(EQUAL)},
         hints=(_("A motion oscillates only if it deforms the spring. Which motions leave the spring as it is?"),),
         purpose=_("The answer prepares the spectrum: one oscillating mode and two zero modes."),
         expect=_("“One” is common: the gliding machine is found first, the rolling top cylinder is overlooked."),
@@ -130,7 +130,7 @@ STOPS = (
             "with μ = {next:3}. The hoop has the largest moment of inertia, so it needs the largest force to spin it "
             "up. At the release only {load:2 %} of the slab’s weight presses on it."
         ),
-        numbers=_friction_numbers,
+        answer_numbers=_friction_numbers,
         hints=(_("Friction has to spin each roller up. Which lower roller resists that more?"),),
         purpose=_("Friction has a purpose here: it makes the rollers turn."),
         expect=_(

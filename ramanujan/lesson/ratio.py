@@ -182,7 +182,7 @@ STOPS = (
         ),
         options={name: filled(_("Between {low} and {high}"), **_bracket_numbers(name)) for name in BRACKETS},
         replies={name: _explain_bracket(name) for name in BRACKETS if name != _find_bracket()},
-        given={"periods": round(1 / abs(EQUAL.normalized_frequency_squared**0.5 - 1))},
+        question_numbers={"periods": round(1 / abs(EQUAL.normalized_frequency_squared**0.5 - 1))},
         answer=_find_bracket,
         why=_(
             "At ε = {low} the machine is faster, with Ω²m/k = {fast:4}. At ε = {high} it is slower, with Ω²m/k = "
@@ -190,7 +190,7 @@ STOPS = (
             "once. Halve the interval, and you come closer with every step. The next ratio to try is {middle}, where "
             "Ω²m/k = {value:4}."
         ),
-        numbers=lambda: _bracket_numbers(_find_bracket()),
+        answer_numbers=lambda: _bracket_numbers(_find_bracket()),
         hints=(
             _("At equal masses it takes {periods} periods of the plain mass until the hands are one full turn apart."),
             _("How much heavier must the rollers be to slow the machine down by so little?"),
@@ -234,7 +234,7 @@ STOPS = (
                 "exactly 1?"
             ),
         },
-        given={
+        question_numbers={
             **_QUADRATIC_SLOTS,
             "eighths_mass": with_unit(unbroken(str(CANDIDATES["eighths"])), "kg"),
             "decimal_mass": quantity(float(CANDIDATES["decimal"]), "kg", 4),
@@ -249,7 +249,7 @@ STOPS = (
             "{heavier:3 %} more than the other bodies. As {number} lies between {below}² and {above}², its root is no "
             "fraction, and neither is this mass. A mass ratio cannot be negative, so the other root does not count."
         ),
-        numbers=_candidate_numbers,
+        answer_numbers=_candidate_numbers,
         hints=(
             _("The roots of a·ε² + b·ε + c = 0 are (−b ± √(b² − 4ac))/(2a)."),
             _("Is the number under the root the square of a whole number?"),
@@ -257,7 +257,7 @@ STOPS = (
         purpose=_("The search becomes a quadratic equation, and its root is irrational."),
         expect=_("Many trust the decimal number. Let students put their mass into the equation."),
         minutes=3,
-        then=IN_STEP,
+        changed_machine=IN_STEP,
         dials=True,
         onward=Onward(_("See the solution on the page 1729"), "taxicab"),
     ),
@@ -282,7 +282,7 @@ STOPS = (
             "+ 3·{norm[1]}²: this form follows from the moments of inertia. No reason is known why it is also the "
             "smallest sum of two positive cubes in two ways."
         ),
-        given={
+        question_numbers={
             **_QUADRATIC_SLOTS,
             "root": _ROOT,
             "number": _NUMBER,
@@ -333,7 +333,7 @@ STOPS = (
             "{ratio:4}. The top body is not idle: friction makes it turn, and its moment of inertia counts. Of all "
             "{machines} choices of bodies, only {cubes:alone} lead to a sum of two positive cubes."
         ),
-        numbers=_other_body_numbers,
+        answer_numbers=_other_body_numbers,
         hints=(_("What turns the top body when the block moves under it?"),),
         purpose=_("The number is fragile: with one other body, it is gone."),
         expect=_("Many believe that a body that rolls freely cannot matter."),

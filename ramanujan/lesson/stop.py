@@ -4,8 +4,8 @@
     observe   the `runs`: one machine, or several side by side, in motion
     explain   `explanation()`, and for a wrong option its `reply()`, with their numbers
 
-A stop contains no typed results: `answer` and `numbers` are functions that call the core, SymPy or `number_theory`.
-Options contain no reasons, so the wording does not reveal the right one.
+A stop contains no typed results: `answer` and `answer_numbers` are functions that call the core, SymPy or
+`number_theory`. Options contain no reasons, so the wording does not reveal the right one.
 """
 
 from collections.abc import Callable, Mapping
@@ -73,7 +73,7 @@ class Onward(NamedTuple):
 class Stop:
     """One stop of the lesson.
 
-    All sentences are templates for `numerals.filled`. Besides the numbers in `given` and `numbers`, their slots may
+    All sentences are templates for `numerals.filled`. Besides `question_numbers` and `answer_numbers`, their slots may
     use `equal` (the machine with equal masses), `machine` and `shown` (the machines before and after the prediction),
     and `runs`.
 
@@ -85,8 +85,8 @@ class Stop:
     answer : returns the id of the right option
     replies : id of each wrong option → its consequence for this machine, then the next question
     why : the explanation of the right option
-    given : numbers of the question, for all sentences
-    numbers : returns numbers of the answer, for `why` and `replies`
+    question_numbers : numbers of the question, for all sentences
+    answer_numbers : returns numbers of the answer, for `why` and `replies`
     hints : questions that lead to the answer, shown one by one
     purpose, expect : notes for the lecturer: the purpose of the stop, and frequent answers with their reasons
     minutes : duration in class
@@ -99,7 +99,7 @@ class Stop:
     exhibit : Markdown above the machine, such as a program
     outcome : the exhibit after the prediction, with the observation, such as the output of the program
     sliders : instructions for the sliders after the prediction
-    then : the machine after the prediction, if it changes
+    changed_machine : the machine after the prediction, if it changes
     onward : link to a page about the same subject
     """
 
@@ -114,8 +114,8 @@ class Stop:
     purpose: str
     expect: str
     onward: Onward
-    given: Mapping[str, object] = field(default_factory=lambda: MappingProxyType({}))
-    numbers: Callable[[], Mapping[str, object]] = dict
+    question_numbers: Mapping[str, object] = field(default_factory=lambda: MappingProxyType({}))
+    answer_numbers: Callable[[], Mapping[str, object]] = dict
     minutes: int = 2
     short: bool = False
     runs: tuple[Run, ...] = (Run(),)
@@ -126,7 +126,7 @@ class Stop:
     exhibit: str = ""
     outcome: str = ""
     sliders: str = ""
-    then: Oscillator | None = None
+    changed_machine: Oscillator | None = None
 
     @property
     def machine(self) -> Oscillator:
@@ -134,9 +134,9 @@ class Stop:
         return EQUAL if self.runs[0].label else self.runs[0].machine
 
     @property
-    def shown(self) -> Oscillator:
+    def final_machine(self) -> Oscillator:
         """The machine after the prediction."""
-        return self.then or self.machine
+        return self.changed_machine or self.machine
 
     @property
     def compression(self) -> float:
@@ -149,7 +149,7 @@ class Stop:
         return _("Run the machine") if "motion" in self.hides and not self.exhibit else _("Check it")
 
     def __post_init__(self) -> None:
-        # The texts before the prediction need only the numbers in `given`. A frozen dataclass forbids assignments.
+        # The texts before the prediction need only the `question_numbers`. A frozen dataclass forbids assignments.
         for name in ("heading", "question"):
             object.__setattr__(self, name, self._fill(getattr(self, name)))
         object.__setattr__(self, "hints", tuple(map(self._fill, self.hints)))
@@ -162,7 +162,7 @@ class Stop:
 
     @cached_property
     def _numbers(self) -> Mapping[str, object]:
-        return self.numbers()
+        return self.answer_numbers()
 
     def explanation(self) -> str:
         """Return the explanation with the numbers of this machine, without line breaks at = and +."""
@@ -174,8 +174,8 @@ class Stop:
         return self._fill(self.replies[option], **self._numbers)
 
     def _fill(self, template: str, **numbers: object) -> str:
-        machines = {"equal": EQUAL, "machine": self.machine, "shown": self.shown, "runs": self.runs}
-        return filled(template, **machines, **self.given, **numbers)
+        machines = {"equal": EQUAL, "machine": self.machine, "shown": self.final_machine, "runs": self.runs}
+        return filled(template, **machines, **self.question_numbers, **numbers)
 
 
 def state_after(

@@ -54,7 +54,7 @@ def draw(withheld_presets: Collection[str], folded_parameters: Collection[str]) 
     """
     with st.sidebar, st.container(key="controls"):
         components.drawer()
-        folded = [key for key, each in PARAMETERS.items() if each.is_folded or key in folded_parameters]
+        folded = [key for key, parameter in PARAMETERS.items() if parameter.is_folded or key in folded_parameters]
         for key in PARAMETERS:
             if key not in folded:
                 draw_slider(key)

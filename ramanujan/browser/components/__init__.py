@@ -181,7 +181,7 @@ def link(private: Sequence[str], keys: Sequence[str]) -> Any:
         "file": STANDALONE_FILE,
         "private": list(private),
         "keys": list(keys),
-        "languages": [each._asdict() for each in menu_languages()],
+        "languages": [language._asdict() for language in menu_languages()],
     }
     return modules.component("components/link")(key="link", data=data)
 
@@ -311,7 +311,7 @@ def mount(
 def _is_like(value: Any, example: Any) -> bool:
     """Whether a value has the type of an example. A float may be an integer, and must be finite."""
     if isinstance(example, dict):
-        return isinstance(value, dict) and all(_is_like(value.get(name), each) for name, each in example.items())
+        return isinstance(value, dict) and all(_is_like(value.get(name), part) for name, part in example.items())
     if isinstance(example, float):
         return isinstance(value, int | float) and math.isfinite(value)
     return isinstance(value, type(example)) and not isinstance(value, bool)

@@ -113,7 +113,10 @@ def _settings() -> dict[str, Any]:
     machine = stage.payload(Oscillator(), 0)["parameters"]
     return {
         "parameters": [_parameter(PARAMETERS[key]) for key in (*_SLIDERS, "radius")],
-        "view": [{"key": each.name, "form": _form(each), "ignored": each.message()} for each in stages.URL_PARAMETERS],
+        "view": [
+            {"key": parameter.name, "form": _form(parameter), "ignored": parameter.message()}
+            for parameter in stages.URL_PARAMETERS
+        ],
         "sentences": SENTENCES | {"unknown": address.UNKNOWN},
         "machine": machine,
         "stage": stage.settings("stage", name="oscillator", layers=(), limits=stages.LIMITS, watch=WATCH),

@@ -19,7 +19,7 @@ from ramanujan.derivation.numbers import Numbers
 from ramanujan.derivation.order import InOrder
 from ramanujan.derivation.printers import apply_color
 from ramanujan.derivation.remarks import conserved_momenta
-from ramanujan.derivation.rows import Row, TermCommand, align_for_phone, row, rows
+from ramanujan.derivation.rows import Row, TermCommand, align_for_phone, make_row, make_rows
 from ramanujan.lesson.picture import draw_tikz
 from ramanujan.shell import theme
 from ramanujan.shell.cache import responsive, route
@@ -55,7 +55,7 @@ def step(
     """
     symbolic = route(name, equal_masses).steps[number]
     adapted = symbolic.for_numbers(numbers)
-    equations = rows(symbolic, numbers, partial(_row, numbers=numbers, inks=dict(inks)))
+    equations = make_rows(symbolic, numbers, partial(_row, numbers=numbers, inks=dict(inks)))
     block = typeset_beside_machine(equations, math.inf if wide else ROOM)
     return adapted.heading, adapted.reason, block, align_for_phone(equations)
 
@@ -69,7 +69,7 @@ def all_routes() -> list[Route]:
 def questions_of_step(name: str, number: int) -> tuple[str, ...]:
     """Return the questions that a step of a route, counted from 0, answers for the first time."""
     step = route(name).steps[number]
-    return tuple(each for each in QUESTIONS if _answering_step(name, find_question(each)) is step)
+    return tuple(question for question in QUESTIONS if _answering_step(name, find_question(question)) is step)
 
 
 def _answering_step(name: str, question: Question) -> Step | None:
@@ -93,9 +93,9 @@ def agrees(name: str) -> bool:
 def result(numbers: Numbers | None) -> list[str]:
     """Return Ω² as LaTeX in symbols and, if they are given, with numbers."""
     frequency = equation(Omega_squared, next(iter(all_routes())).natural_frequency_squared)
-    lines = [row(frequency).latex]
+    lines = [make_row(frequency).latex]
     if numbers:
-        lines.append(row(frequency, numbers).latex)
+        lines.append(make_row(frequency, numbers).latex)
     return lines
 
 
@@ -104,8 +104,8 @@ def spectrum(numbers: Numbers | None) -> tuple[list[str], str]:
     """Return the shapes of the three modes, the oscillating one first, and the conserved momenta of the zero modes."""
     all_modes = _modes()
     symbols = dict(zip(COORDINATES, MOMENTA, strict=True))
-    momenta = [row(equation(symbols[q], momentum), numbers) for q, momentum in conserved_momenta().items()]
-    shapes = [row(equation("v", shape), numbers).latex for shape in (all_modes.mode_shape, *all_modes.zero_modes)]
+    momenta = [make_row(equation(symbols[q], momentum), numbers) for q, momentum in conserved_momenta().items()]
+    shapes = [make_row(equation("v", shape), numbers).latex for shape in (all_modes.mode_shape, *all_modes.zero_modes)]
     return shapes, typeset_beside_machine(momenta)
 
 
@@ -165,11 +165,11 @@ def _row(
     symbols = {part: symbols_of_part(part, symbolic) for part in inks}
     parts = [part for part in inks if symbols[part] or belongs_to(part, symbolic)]
     if len(parts) == 1 and belongs_to(parts[0], symbolic):
-        return _one_color(row(symbolic, numbers, label=label, commands=commands), inks[parts[0]])
+        return _one_color(make_row(symbolic, numbers, label=label, commands=commands), inks[parts[0]])
     highlight = []
     for part in parts:
         highlight += [(symbol, inks[part]) for symbol in sorted(symbols[part], key=str)]
-    return row(symbolic, numbers, tuple(highlight), label, commands)
+    return make_row(symbolic, numbers, tuple(highlight), label, commands)
 
 
 def _owners(symbolic: sp.Eq) -> list[str]:

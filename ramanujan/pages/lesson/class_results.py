@@ -111,20 +111,22 @@ def draw_commonest_mistake(code: str, stop: Stop, vote: Vote) -> None:
 
 def draw_whole_lesson(code: str) -> None:
     """Draw the share of right answers before and after the discussion, for each question with a revealed answer."""
-    revealed = [each for each in shared().read_results(code, Phase.SOLVED) if lesson.has_stop(each.stop)]
+    revealed = [result for result in shared().read_results(code, Phase.SOLVED) if lesson.has_stop(result.stop)]
     if not revealed:
         st.markdown(_("No right answer was shown to this class."))
         return
-    twice = [each for each in revealed if each.second]
+    twice = [result for result in revealed if result.second]
     if twice:
-        before = _share_of_right([(each.stop, each.first) for each in twice])
-        after = _share_of_right([(each.stop, each.second) for each in twice if each.second])
+        before = _share_of_right([(result.stop, result.first) for result in twice])
+        after = _share_of_right([(result.stop, result.second) for result in twice if result.second])
         sentence = _("Right before students talked to their neighbours: {before}. Right after it: {after}.")
         st.markdown(sentence.format(before=before, after=after))
     rows = [(_("Question"), _("Right at first"), _("After talking"))]
-    for each in revealed:
-        first, second = (_share_of_right([(each.stop, vote)]) if vote else "–" for vote in (each.first, each.second))
-        rows.append((lesson.find_stop(each.stop).heading, first, second))
+    for result in revealed:
+        first, second = (
+            _share_of_right([(result.stop, vote)]) if vote else "–" for vote in (result.first, result.second)
+        )
+        rows.append((lesson.find_stop(result.stop).heading, first, second))
     widgets.table(rows, key="learned")
 
 
@@ -171,11 +173,11 @@ def storage_sentence(expires: float, *, is_browser_storing: bool = True) -> str:
     return f"{mark} {votes}"
 
 
-def answers_sentence(now: ClassQuestion) -> str:
+def answers_sentence(current: ClassQuestion) -> str:
     """Return the number of students present and of answers, as a sentence."""
     # TRANSLATORS: how many of the students have answered: 12 of 30.
-    sentence = _("Answers: {answered} of {present}.").format(answered=now.answered, present=now.present)
-    return " ".join((_("Second vote."), sentence)) if now.vote.is_second else sentence
+    sentence = _("Answers: {answered} of {present}.").format(answered=current.answered, present=current.present)
+    return " ".join((_("Second vote."), sentence)) if current.vote.is_second else sentence
 
 
 def joined_sentence(people: int) -> str:

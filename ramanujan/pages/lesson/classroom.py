@@ -194,19 +194,19 @@ def _draw_live_desk(stop: Stop | None, phase: Phase) -> None:
         _draw_error()
         try:
             shared().find_code(key)
-            now, last = class_session.read_question(code), shared().read_last_state(code, place)
+            current, last = class_session.read_question(code), shared().read_last_state(code, place)
         except ClassError as error:
             st.warning(str(error))
             st.button(_("Leave this class"), key="class_leave", on_click=leave)
             return
-        _follow_desk(now, place)
+        _follow_desk(current, place)
         current_phase = last.phase if last else Phase.ASKED
         if current_phase != phase:
             st.rerun()
         recent = class_results.recent_sentence(shared().count_seats(key))
-        st.markdown(f"**{_attendance_sentence(place, now)}** {recent}")
+        st.markdown(f"**{_attendance_sentence(place, current)}** {recent}")
         with st.container(key="class_moves", horizontal=True, gap="small"):
-            _draw_moves(key, stop, now, last)
+            _draw_moves(key, stop, current, last)
         if stop is None:
             class_results.draw_whole_lesson(code)
         elif last and last.phase > Phase.ASKED:
@@ -219,33 +219,33 @@ def _draw_live_desk(stop: Stop | None, phase: Phase) -> None:
             _draw_foot(key, code)
 
 
-def _follow_desk(now: ClassQuestion, place: str) -> None:
+def _follow_desk(current: ClassQuestion, place: str) -> None:
     """Open the stop to which another desk has taken the class.
 
     Parameters
     ----------
-    now : the current question of the class
+    current : the current question of the class
     place : the stop that this desk shows, or END
     """
-    if now.stop != st.session_state[_LAST_STOP]:
-        st.session_state[_LAST_STOP] = now.stop
-        st.session_state[progress.STOP.name] = now.stop or place
+    if current.stop != st.session_state[_LAST_STOP]:
+        st.session_state[_LAST_STOP] = current.stop
+        st.session_state[progress.STOP.name] = current.stop or place
     # The desk's own buttons also need this rerun: they rerun only the desk, not the stop next to it.
     if address.current(progress.STOP) != place:
         st.rerun()
 
 
-def _attendance_sentence(place: str, now: ClassQuestion) -> str:
+def _attendance_sentence(place: str, current: ClassQuestion) -> str:
     """Return a sentence about attendance and answers for a desk at this place, or about the place of the class."""
-    if not now.is_known:
+    if not current.is_known:
         return class_results.unknown_stop_sentence()
-    if now.stop is None or now.stop == place == END:
-        return class_results.joined_sentence(now.present)
-    if now.stop == END:
+    if current.stop is None or current.stop == place == END:
+        return class_results.joined_sentence(current.present)
+    if current.stop == END:
         return _("The class is at the end of the lesson.")
-    if now.stop != place:
-        return _("The class is still at “{heading}”.").format(heading=lesson.find_stop(now.stop).heading)
-    return class_results.answers_sentence(now)
+    if current.stop != place:
+        return _("The class is still at “{heading}”.").format(heading=lesson.find_stop(current.stop).heading)
+    return class_results.answers_sentence(current)
 
 
 @dataclass(frozen=True)
@@ -278,41 +278,41 @@ class _Move:
         )
 
 
-def _draw_moves(key: str, stop: Stop | None, now: ClassQuestion, last: ClassQuestion | None) -> None:
+def _draw_moves(key: str, stop: Stop | None, current: ClassQuestion, last: ClassQuestion | None) -> None:
     """Draw a button for each possible move. A clicker presses the first two: back and forward.
 
     Parameters
     ----------
     key : the lecturer's key
     stop : the stop of this desk, None at the end
-    now : the current question of the class
+    current : the current question of the class
     last : the last state of this stop in the class, None if the class was never at this stop
     """
     st.html(KEY_NAMES)
     place = stop.id if stop else END
-    shows_result = now.stop == place and now.phase > Phase.ASKED
+    shows_result = current.stop == place and current.phase > Phase.ASKED
     can_go_back = shows_result or progress.previous(place) is not None
     back = _Move(_("Go back"), "back", _go_back, (place,))
     back.draw(key, shortcut="PageUp", disabled=not can_go_back)
-    is_over = now.stop == place == END
-    forward = _choose_forward_move(stop, now, last)
+    is_over = current.stop == place == END
+    forward = _choose_forward_move(stop, current, last)
     forward.draw(key, shortcut="PageDown", is_primary=True, disabled=is_over)
-    if stop and now.stop != place and last:
+    if stop and current.stop != place and last:
         ask_anew = partial(shared().ask, anew=True)
         _Move(_("Ask this question again"), "anew", ask_anew, (place, list(stop.options))).draw(key)
-    if now.stop == place != END and not now.vote.is_second and now.reached < Phase.RUNNING:
+    if current.stop == place != END and not current.vote.is_second and current.reached < Phase.RUNNING:
         _Move(_("Ask again"), "again", shared().ask_again).draw(key)
 
 
-def _choose_forward_move(stop: Stop | None, now: ClassQuestion, last: ClassQuestion | None) -> _Move:
+def _choose_forward_move(stop: Stop | None, current: ClassQuestion, last: ClassQuestion | None) -> _Move:
     """Return the move of the forward button. The parameters are those of `_draw_moves`."""
     finish = _Move(_("Show what the class has learned"), "finish", _show_end)
     if stop is None:
         return finish
-    if now.stop != stop.id:
+    if current.stop != stop.id:
         label = _("Return to this question") if last else _("Ask the class")
         return _Move(label, "ask", _show_stop, (stop,))
-    if now.phase == Phase.SOLVED:
+    if current.phase == Phase.SOLVED:
         following = progress.following(stop)
         return _Move(_("Ask the next question"), "next", _show_stop, (following,)) if following else finish
     labels = {
@@ -320,17 +320,17 @@ def _choose_forward_move(stop: Stop | None, now: ClassQuestion, last: ClassQuest
         Phase.REVEALED: (stop.observation, "run"),
         Phase.RUNNING: (_("Name the answer"), "solve"),
     }
-    label, name = labels[now.phase]
-    return _Move(label, name, shared().show, (Phase(now.phase + 1),))
+    label, name = labels[current.phase]
+    return _Move(label, name, shared().show, (Phase(current.phase + 1),))
 
 
 def _go_back(key: str, place: str) -> None:
     """Take the class back by one view. If the class is at another stop, move only this desk."""
     code, _secret = split_key(key)
-    now, previous = shared().read_question(code), progress.previous(place)
-    is_here = now.stop == place
-    if is_here and now.phase > Phase.ASKED:
-        shared().show(key, Phase(now.phase - 1))
+    current, previous = shared().read_question(code), progress.previous(place)
+    is_here = current.stop == place
+    if is_here and current.phase > Phase.ASKED:
+        shared().show(key, Phase(current.phase - 1))
     elif previous and is_here and shared().read_last_state(code, previous.id):
         _show_stop(key, previous)
     elif previous:

@@ -54,7 +54,7 @@ def load_new_machine(stop: Stop, running: bool) -> None:
 
 def machine_of(stop: Stop, running: bool) -> Oscillator:
     """Return the machine of a stop's question, or the one that runs after the prediction."""
-    return stop.shown if running else stop.machine
+    return stop.final_machine if running else stop.machine
 
 
 def is_running(phase: str) -> bool:

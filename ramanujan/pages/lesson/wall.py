@@ -93,26 +93,26 @@ def _follow_class(code: str) -> None:
     mirrors the desk's view and sliders.
     """
     try:
-        now = class_session.read_question(code)
+        current = class_session.read_question(code)
     except ClassError as error:
         if st.session_state.pop(_POLLS, None):
             st.rerun()
         st.warning(str(error))
         return
-    state = (now.stop, now.vote, now.phase)
+    state = (current.stop, current.vote, current.phase)
     polls = st.session_state.get(_POLLS, {}).get(state, -1) + 1
     st.session_state[_POLLS] = {state: polls}
     if polls in (0, _REDRAW_AFTER) or class_session.settings_differ(shared().read_machine(code)):
         st.rerun()
     class_session.follow(code)
     with st.container(key="class_wall_foot", horizontal=True, vertical_alignment="center", gap="large"):
-        if not now.is_known:
+        if not current.is_known:
             st.markdown(class_results.unknown_stop_sentence(), width="content")
-        elif now.stop is None:
-            st.markdown(class_results.joined_sentence(now.present), width="content")
-        elif now.stop != END:
-            if now.reached == Phase.ASKED:
-                st.markdown(f"**{class_results.answers_sentence(now)}**", width="content")
+        elif current.stop is None:
+            st.markdown(class_results.joined_sentence(current.present), width="content")
+        elif current.stop != END:
+            if current.reached == Phase.ASKED:
+                st.markdown(f"**{class_results.answers_sentence(current)}**", width="content")
             url = address.link_for_others({})
             st.text(f"{url.netloc}{url.path}  ·  {group_code(code)}", width="content")
 

@@ -45,7 +45,7 @@ def show() -> None:
         with picture:
             scene = st.container(key="without_dials")
         with words:
-            sliders = [partial(widgets.page_slider, each) for each in (GLIDE, SPIN, MU)]
+            sliders = [partial(widgets.page_slider, parameter) for parameter in (GLIDE, SPIN, MU)]
             glide, spin, mu = widgets.draw_in_columns(
                 1 if display_mode.is_projector() else 3, *sliders, alignment="bottom"
             )
@@ -116,7 +116,7 @@ def greatest_friction(motion: Record) -> tuple[float, str]:
 
 def offer_files(motion: Record, mu: float) -> None:
     """Offer the record as a CSV file, and as a file for a spreadsheet."""
-    settings = [(each.label, each.value) for each in (*PARAMETERS.values(), GLIDE, SPIN, MU)]
+    settings = [(parameter.label, parameter.value) for parameter in (*PARAMETERS.values(), GLIDE, SPIN, MU)]
     widgets.download(
         _("Spreadsheet"),
         sheet(motion, mu, settings),

@@ -11,7 +11,7 @@ from ramanujan import UNIT_MASS_RATIO, normalized_frequency_squared
 from ramanujan.derivation import Step
 from ramanujan.derivation.model import epsilon
 from ramanujan.derivation.numbers import Numbers, unit_frequency_condition
-from ramanujan.derivation.rows import Row, align, rows
+from ramanujan.derivation.rows import Row, align, make_rows
 from ramanujan.figures import EncodedFigure
 from ramanujan.figures.oscillator import Curve, Mark, frequency_curve
 from ramanujan.shell import theme
@@ -141,7 +141,7 @@ def _step(key: str) -> Step:
 @st.cache_resource(show_spinner=False)
 def _symbolic_rows(key: str) -> list[Row]:
     """Return the equations of a step in symbols."""
-    return rows(_step(key))
+    return make_rows(_step(key))
 
 
 def _summary_step(selection: Mapping[str, slice], numbers: Numbers | None) -> SummaryStep:
@@ -170,6 +170,6 @@ def _select(selection: Mapping[str, slice], numbers: Numbers | None) -> list[Row
     """Return the selected equations of some steps, in symbols or with numbers."""
     selected = []
     for key, part in selection.items():
-        equations = rows(_step(key), numbers) if numbers else _symbolic_rows(key)
+        equations = make_rows(_step(key), numbers) if numbers else _symbolic_rows(key)
         selected += equations[part]
     return selected

@@ -116,7 +116,7 @@ def _add_attempt(method: str, steps: int) -> None:
     """Append an attempt to those in the address, in a callback. A repeated attempt moves to the end."""
     st.session_state[_RUN] = st.session_state.get(_RUN, 0) + 1
     attempt = f"{method}.{steps}"
-    others = [each for each in address.current(TRIES) if each != attempt]
+    others = [tried for tried in address.current(TRIES) if tried != attempt]
     st.session_state[TRIES.name] = (*others, attempt)[-_MOST_TRIES:]
 
 

@@ -68,8 +68,8 @@ def draw_error_growth(method: str, steps: int) -> int:
     phases = cache.phases(sidebar.oscillator())
     shown_phases = [errors for errors in phases if errors.periods <= max(periods, 10)]
     closed_form = np.array([errors.periods for errors in shown_phases]), np.array([e.float64 for e in shown_phases])
-    curves = {METHODS[each.method].title: (each.times, each.energy, each.phase) for each in runs}
-    titles = [each.title for each in METHODS.values()]
+    curves = {METHODS[run.method].title: (run.times, run.energy, run.phase) for run in runs}
+    titles = [method.title for method in METHODS.values()]
     figure = figures.error_growth(curves, METHODS[method].title, closed_form, titles, theme.colors())
     alternative = _(
         "Energy error and phase error over the number of periods. The phase errors of the methods grow with time. That "

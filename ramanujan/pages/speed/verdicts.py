@@ -210,17 +210,17 @@ def _describe_range(stretch: Stretch, symbol: str) -> str:
 
 def describe_strip(sweep: Sweep) -> str:
     """Return the strip of a form in words, from left to right."""
-    words = ", ".join(_describe_value(sweep, each) for each in sweep.stretches)
+    words = ", ".join(_describe_value(sweep, stretch) for stretch in sweep.stretches)
     return _("{form}: {words}").format(form=FORMS[sweep.form].title, words=words)
 
 
 def strip(sweep: Sweep) -> list[Part]:
     """Return the stretches of a form as parts of its strip in the figure. The axis is logarithmic."""
     stretches = sweep.stretches
-    ends = [*(each.first for each in stretches[1:]), stretches[-1].last]
+    ends = [*(stretch.first for stretch in stretches[1:]), stretches[-1].last]
     return [
-        Part(math.log10(each.first), math.log10(end), each.verdict == RIGHT, _describe_value(sweep, each))
-        for each, end in zip(stretches, ends, strict=True)
+        Part(math.log10(stretch.first), math.log10(end), stretch.verdict == RIGHT, _describe_value(sweep, stretch))
+        for stretch, end in zip(stretches, ends, strict=True)
     ]
 
 
@@ -259,7 +259,7 @@ def describe_phases(errors: Sequence[PhaseErrors]) -> str:
         "In float64 the error is {last.float64:2 rad} after {last.periods:2} periods. If Ω/2π is stored in two "
         "floating-point numbers and whole turns are subtracted first, the error never exceeds **{largest:2↑ rad}**."
     )
-    sentences.append(filled(reduced, last=errors[-1], largest=max(each.reduced for each in errors)))
+    sentences.append(filled(reduced, last=errors[-1], largest=max(entry.reduced for entry in errors)))
     return " ".join(sentences)
 
 

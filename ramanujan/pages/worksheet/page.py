@@ -159,7 +159,7 @@ def draw_head(machine: Oscillator, paper: str, seed: str, calculations: list[int
         lines = _("Name {line} Date {line} Points {line} of {points}")
         st.html(f"<p class='name' style='display:flex;gap:.4em'>{lines.format(line=_LINE, points=points)}</p>")
     picture, words = picture_and_words()
-    values = ", ".join(each.equation(each.value) for each in PARAMETERS.values())
+    values = ", ".join(parameter.equation(parameter.value) for parameter in PARAMETERS.values())
     with picture, st.container(key="worksheet_picture"):
         drawings.draw(
             draw_svg(machine, sidebar.compression(), theme.paper_colors()),

@@ -123,7 +123,11 @@ def draw_composer() -> None:
         if not chosen:
             return
         # The link also contains the sliders of the lecturer's machine that differ from their defaults.
-        machine = {each.name: f"{each.value:g}" for each in PARAMETERS.values() if each.value != each.default}
+        machine = {
+            parameter.name: f"{parameter.value:g}"
+            for parameter in PARAMETERS.values()
+            if parameter.value != parameter.default
+        }
         key = st.session_state.setdefault("composed_key", worksheet_keys.new())
         query = {**machine, EXERCISE.name: EXERCISE.write(tuple(chosen)), WORKSHEET.name: worksheet_keys.name(key)}
         link = address.link_for_others(query, PAGES["lesson"].path).geturl()

@@ -9,7 +9,7 @@ from ramanujan.answers import QUESTIONS, Verdict, find_answer_equations, find_qu
 from ramanujan.answers.grammar import UnreadableError, typeset
 from ramanujan.answers.questions import EQUATION
 from ramanujan.browser import stage
-from ramanujan.derivation.rows import row
+from ramanujan.derivation.rows import make_row
 from ramanujan.shell import address, local_time, sidebar, stages, widgets
 from ramanujan.shell.cache import responsive
 from ramanujan.shell.formulas import typeset_beside_machine
@@ -152,7 +152,7 @@ def draw_verdict(verdict: Verdict, formula: str | None) -> None:
 @st.cache_data(show_spinner=False)
 def step_to_answer(name: str) -> str:
     """Return the step that leads to the answer of a question, as one block of LaTeX."""
-    return typeset_beside_machine([row(each) for each in find_answer_equations(name)])
+    return typeset_beside_machine([make_row(equation) for equation in find_answer_equations(name)])
 
 
 @st.cache_data(show_spinner=False, max_entries=512)

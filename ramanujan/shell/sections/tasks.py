@@ -96,7 +96,7 @@ def draw_machine(task: Task, attempt: Attempt) -> None:
         stages.mount(
             stage.payload(attempt.machine, attempt.release, initial=initial),
             limits=(most, most),
-            watch={key: each for key, each in WATCH.items() if key != "compression"},
+            watch={key: settings for key, settings in WATCH.items() if key != "compression"},
             **options,
         )
 
