@@ -1,7 +1,7 @@
 """Tables as files for a spreadsheet, in the language of the server.
 
 A spreadsheet in a language with a decimal comma expects semicolons between the cells. The byte-order mark declares the
-encoding UTF-8. Other programs read the plain CSV files of `record.table` and `lesson.class_record.as_csv`.
+encoding UTF-8. Other programs read the plain CSV files of `record.table` and `lesson.class_record.write_csv`.
 
     a text            unchanged
     a number          15 significant digits, without a power of ten, with the decimal mark of the language

@@ -17,7 +17,7 @@ from hypothesis import strategies as st
 from ramanujan.answers import QUESTIONS, find_question, judge, machines, mistakes, questions
 from ramanujan.answers.grammar import MAX_WEIGHT, parse, typeset
 from ramanujan.answers.spelling import TEXTBOOK, UnreadableError
-from ramanujan.answers.values import agree, unit
+from ramanujan.answers.values import agree, find_unit
 from ramanujan.derivation.elimination import eliminate, phi_ddot
 from ramanujan.derivation.model import Phi, k, m
 
@@ -247,7 +247,7 @@ def test_the_example_has_the_right_unit_and_is_not_the_answer(name):
     posed = find_question(name)
     assert judge(name, posed.example).kind == "wrong"
     example, right = (zero_on_the_right(text) for text in (posed.example, RIGHT[name][0]))
-    assert unit(parse(example)) == unit(parse(right))
+    assert find_unit(parse(example)) == find_unit(parse(right))
     assert posed.prompt().endswith("?")
     assert posed.prompt().count("$") % 2 == 0
 

@@ -150,4 +150,4 @@ def test_a_session_lists_the_solved_questions(app):
     assert app.button(key=f"hint_{name}").label == "Show me this step"
     hint(app, name)
     assert len(app.latex) == before + 1
-    assert questions.step_to_answer(name) in app.latex[-1].value
+    assert questions.typeset_answer_step(name) in app.latex[-1].value

@@ -14,7 +14,7 @@ from sympy.core.function import AppliedUndef
 from ramanujan.derivation import ROUTES
 from ramanujan.derivation.model import R
 from ramanujan.derivation.numbers import GIVEN
-from ramanujan.derivation.order import ordered_terms
+from ramanujan.derivation.order import order_terms
 from ramanujan.derivation.rows import SIDES
 
 _CONSTANTS = {*GIVEN, R}
@@ -102,7 +102,7 @@ def _terms(equation: sp.Eq) -> dict[tuple[int, int], sp.Expr]:
     return {
         (side, place): sign * term
         for side, (sign, expression) in enumerate(sides)
-        for place, term in enumerate(ordered_terms(expression))
+        for place, term in enumerate(order_terms(expression))
         if term != 0
     }
 

@@ -4,13 +4,13 @@ import pytest
 import sympy as sp
 
 from ramanujan.derivation.model import COORDINATES, t
-from ramanujan.derivation.remarks import conserved_momenta, remarks
+from ramanujan.derivation.remarks import conserved_momenta, list_remarks
 from tests import reference
 from tests.reference import equal
 
 
 def test_each_remark_is_true_and_has_its_place_and_reason():
-    for remark in remarks():
+    for remark in list_remarks():
         assert remark.holds is True, remark
         for text in (remark.where, remark.printed, remark.correct, remark.note):
             assert text
@@ -30,7 +30,7 @@ def test_each_remark_is_true_and_has_its_place_and_reason():
     ],
 )
 def test_a_slip_of_the_paper_is_corrected(place, right):
-    (remark,) = (remark for remark in remarks() if place in remark.where)
+    (remark,) = (remark for remark in list_remarks() if place in remark.where)
     assert right in remark.correct + remark.note
     assert right not in remark.printed
 

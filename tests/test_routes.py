@@ -7,7 +7,7 @@ from ramanujan.derivation import ROUTES, newton
 from ramanujan.derivation.elimination import eliminate
 from ramanujan.derivation.energy import least_inertia
 from ramanujan.derivation.hamilton import legendre_transform, reduce_to_one_degree
-from ramanujan.derivation.matrix import modes
+from ramanujan.derivation.matrix import find_modes
 from ramanujan.derivation.model import (
     Omega_squared,
     R,
@@ -47,7 +47,7 @@ def test_the_routes_agree_for_other_bodies_too(bodies):
     by_hamilton = 4 * k / reduce_to_one_degree(legendre_transform(other)[2])[0]
     by_newton = -newton.solve_free_bodies(other).solution[newton.angular_acceleration("hoop")] / phi
     by_energy = 4 * k / least_inertia(other)[2]
-    for result in (by_hamilton, by_newton, by_energy, modes(other).natural_frequency_squared):
+    for result in (by_hamilton, by_newton, by_energy, find_modes(other).natural_frequency_squared):
         assert equal(result, expected)
 
 

@@ -13,7 +13,7 @@ from ramanujan.derivation.energies import PARTS, terms_by_part
 from ramanujan.derivation.model import machine
 from ramanujan.derivation.numbers import Numbers
 from ramanujan.derivation.printers import latex
-from ramanujan.derivation.remarks import remarks
+from ramanujan.derivation.remarks import list_remarks
 from ramanujan.pages.derivation import cache
 from ramanujan.shell.sections import questions
 from tests.reading import wide_formulas
@@ -156,7 +156,7 @@ def test_three_modes_and_two_conserved_momenta_are_shown(page):
 def test_every_note_on_the_paper_is_checked(page):
     choose(page, margin=True)
     notes = [text.value for text in page.markdown if "The paper has:" in text.value]
-    assert len(notes) == len(remarks()) >= 6
+    assert len(notes) == len(list_remarks()) >= 6
     assert all(":material/check: checked" in note for note in notes)
 
 
@@ -215,5 +215,5 @@ def test_every_question_can_be_asked(page):
 def test_a_typed_formula_is_displayed_as_parsed(page):
     for text in ("(m/m)^(-2)", "k/(m/m)^(-2)", "(√(R/R))^(-12)", "1/0"):
         answer(page, "potential_energy", text)
-        assert questions.as_parsed(text) in formulas(page), text
-    assert questions.as_parsed("m +") is None
+        assert questions.typeset_as_parsed(text) in formulas(page), text
+    assert questions.typeset_as_parsed("m +") is None

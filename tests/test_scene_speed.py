@@ -251,7 +251,7 @@ def test_a_strip_shows_where_its_form_is_right_and_its_other_results(app):
             assert part.right == (verdict == "right")
     words = [part.word for part in strips["the paper’s form"]]
     assert words[-1] == "−0"
-    figure = go.Figure(figures.forms(strips, quantity="s", colors=theme.colors()).to_dict())
+    figure = go.Figure(figures.draw_forms(strips, quantity="s", colors=theme.colors()).to_dict())
     assert set(words) < set(figure.data[0].customdata)
     assert [note.text for note in figure.layout.annotations] == list(strips)
 
@@ -262,9 +262,11 @@ def test_a_number_under_the_pointer_is_written_as_in_a_sentence():
     titles = {"titles": ("cost", "error"), "tolerance": 1e-3, "tried": [(1e7, 3.2e-7)]}
     marked_runs = {"cheapest": figures.MarkedRun(cost=1.0, error=3.2e-7, symbol="star", size=15, color="ink")}
     drawings = (
-        figures.error_growth({"a": (x, errors, errors)}, "a", (x, errors), ["a"], colors),
-        figures.work_precision({("a", "float64"): (x, errors, x)}, marked_runs=marked_runs, colors=colors, **titles),
-        figures.phase_errors(x, dict.fromkeys("abc", errors), colors),
+        figures.draw_error_growth({"a": (x, errors, errors)}, "a", (x, errors), ["a"], colors),
+        figures.draw_work_precision(
+            {("a", "float64"): (x, errors, x)}, marked_runs=marked_runs, colors=colors, **titles
+        ),
+        figures.draw_phase_errors(x, dict.fromkeys("abc", errors), colors),
     )
     shown = [
         trace for drawing in drawings for trace in go.Figure(drawing.to_dict()).data if trace.customdata is not None

@@ -188,7 +188,7 @@ def test_the_count_of_cubes_against_brute_force(monkeypatch: pytest.MonkeyPatch)
 
 def test_the_figure_of_all_machines_lets_one_stand_out() -> None:
     every = machines()
-    grid = figures.machine_grid(
+    grid = figures.draw_machine_grid(
         [str(n) for n in range(10)],
         list(BODIES),
         [machine.discriminant for machine in every],
@@ -208,7 +208,7 @@ def test_labels_of_the_curve_stay_on_the_figure_at_every_target() -> None:
     for w in (1 / 1000, 0.3, 1.0, 1.3, 1.74):
         root = (48 - 49 * w + ((7 * w - 48) ** 2 + 48 * w * w) ** 0.5) / (36 * w)
         ratios, values = cache.curve(min(root / 2, 0.9), max(2 * root, 1.1))
-        crossing = figures.level_crossing(
+        crossing = figures.draw_level_crossing(
             ratios, values, level=w, level_label="w", root=root, root_label="r", present=(1, 1), colors=COLORS
         )
         figure = go.Figure(crossing.to_dict())

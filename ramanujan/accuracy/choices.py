@@ -24,25 +24,25 @@ from ramanujan.motion import InitialState, motion
 from ramanujan.oscillator import Oscillator
 
 POINTS = (9, 17, 33, 65, 129, 257, 513, 1025)
-"""Numbers of points in `curve_sampling`."""
+"""Numbers of points in `sample_curves`."""
 
 PERIODS = (1, 10, 100, 1000, 10_000)
-"""Default numbers of periods in `closed_form`."""
+"""Default numbers of periods in `measure_closed_form`."""
 
 DIGITS = (15, 30, 50, 100)
-"""Numbers of mpmath digits in `arithmetics`."""
+"""Numbers of mpmath digits in `measure_arithmetics`."""
 
 HEIGHT = 400
-"""Height of a curve in `curve_sampling` [pixels]."""
+"""Height of a curve in `sample_curves` [pixels]."""
 
 LARGEST_MASS_RATIO = 4.0
-"""Right end of the Ω² curve in `curve_sampling`."""
+"""Right end of the Ω² curve in `sample_curves`."""
 
 ARRAY = 10_000
-"""Number of array elements in `arithmetics`."""
+"""Number of array elements in `measure_arithmetics`."""
 
 STATES = 100
-"""Number of states in `caching`."""
+"""Number of states in `measure_caching`."""
 
 _FRACTIONS_OF_CHORD = np.arange(1, 32)[:, None] / 32
 """Positions along each chord at which `_largest_distance` is evaluated, shape (31, 1)."""
@@ -57,7 +57,7 @@ class ClosedForm:
     seconds: Timing
 
 
-def curve_sampling() -> dict[str, dict[int, float]]:
+def sample_curves() -> dict[str, dict[int, float]]:
     """Return the largest error of drawing two curves as straight lines between a number of points.
 
     The curves are "cosine", one period of the cosine, and "frequency", Ω²m/k for 0 ≤ ε ≤ LARGEST_MASS_RATIO. Each is
@@ -67,7 +67,7 @@ def curve_sampling() -> dict[str, dict[int, float]]:
     -------
     curve → number of points → largest vertical distance between the curve and the lines [pixels]
 
-    >>> list(curve_sampling()["cosine"])[:3]
+    >>> list(sample_curves()["cosine"])[:3]
     [9, 17, 33]
     """
     return {
@@ -76,7 +76,7 @@ def curve_sampling() -> dict[str, dict[int, float]]:
     }
 
 
-def closed_form(oscillator: Oscillator, periods: Sequence[int] = PERIODS) -> list[ClosedForm]:
+def measure_closed_form(oscillator: Oscillator, periods: Sequence[int] = PERIODS) -> list[ClosedForm]:
     """Return the error and the cost of `motion.motion` after each number of periods. The error grows with time.
 
     Parameters
@@ -88,7 +88,7 @@ def closed_form(oscillator: Oscillator, periods: Sequence[int] = PERIODS) -> lis
     -------
     a `ClosedForm` for each number of periods
 
-    >>> [state.periods for state in closed_form(Oscillator(), [1, 1000])]
+    >>> [state.periods for state in measure_closed_form(Oscillator(), [1, 1000])]
     [1, 1000]
     """
     initial = InitialState(phi=1.0)
@@ -117,7 +117,7 @@ def seconds_per_reduction(oscillator: Oscillator) -> float:
     return measure(partial(reduced_phase, turns_per_second(oscillator), oscillator.period)).median
 
 
-def arithmetics() -> dict[str | int, float]:
+def measure_arithmetics() -> dict[str | int, float]:
     """Return the duration of one evaluation of Ω²m/k at ε* in several kinds of arithmetic.
 
     Returns
@@ -125,7 +125,7 @@ def arithmetics() -> dict[str | int, float]:
     kind of arithmetic → seconds per value. The kinds are "float64", "array" (float64 arrays of ARRAY elements),
     "integers", "fraction", and for mpmath its number of digits.
 
-    >>> list(arithmetics())
+    >>> list(measure_arithmetics())
     ['float64', 'array', 'integers', 'fraction', 15, 30, 50, 100]
     """
     epsilon, many = UNIT_MASS_RATIO, np.full(ARRAY, UNIT_MASS_RATIO)
@@ -140,7 +140,7 @@ def arithmetics() -> dict[str | int, float]:
     return seconds | {"array": seconds["array"] / ARRAY}
 
 
-def caching(oscillator: Oscillator) -> dict[str, float]:
+def measure_caching(oscillator: Oscillator) -> dict[str, float]:
     """Return the gain in speed by a cached result, and by one call for many values.
 
     Parameters
@@ -152,7 +152,7 @@ def caching(oscillator: Oscillator) -> dict[str, float]:
     ratios of durations: "frequency" and "state" for a new machine against the same machine again; "states" for STATES
     calls against one call with an array
 
-    >>> list(caching(Oscillator()))
+    >>> list(measure_caching(Oscillator()))
     ['frequency', 'state', 'states']
     """
     initial = InitialState(phi=1.0)

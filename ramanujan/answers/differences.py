@@ -21,8 +21,8 @@ from ramanujan.answers.values import (
     depends_on,
     evaluate,
     find_decimals,
-    point,
-    rational_ratio,
+    find_rational_ratio,
+    make_point,
 )
 from ramanujan.numerals import number as format_number
 from ramanujan.translation import _
@@ -97,17 +97,17 @@ def _is_solved(typed: sp.Expr) -> bool:
 
 def _compare_formulas(question: Question, compared: Comparison) -> Difference | None:
     """Return a difference by a simple factor from the right answer or from its reciprocal, otherwise None."""
-    if terms.shown_factor(compared.right) is not None:
+    if terms.format_factor(compared.right) is not None:
         # Any two products of names differ by a simple factor.
         return None
     ratio = compared.typed / compared.right
-    names = terms.names_in(ratio)
+    names = terms.find_names(ratio)
     # A factor with motion changes the terms of a polynomial, so single terms are compared instead.
     has_motion = question.kind == POLYNOMIAL and names.intersection(MOTION)
     sentences = [] if has_motion else terms.describe_multiple(ratio)
     if sentences:
         return Difference(sentences, is_slip=not names)
-    factor = terms.shown_factor(compared.typed * compared.right)
+    factor = terms.format_factor(compared.typed * compared.right)
     if factor is None:
         return None
     reciprocal = _("Apart from the factor {factor}, this is the reciprocal of the right answer.")
@@ -181,7 +181,7 @@ def _test_special_masses(question: Question, typed: sp.Expr) -> list[str]:
 def _compare_numbers(question: Question, typed_values: Values) -> list[str]:
     """Return a sentence about the quotient of the number and the right one, or about the part that is right."""
     right = question.right_values
-    quotient = rational_ratio(typed_values, right)
+    quotient = find_rational_ratio(typed_values, right)
     if quotient is not None:
         return terms.describe_multiple(terms.FIELD(quotient.numerator) / quotient.denominator)
     # A number has the same value at all points.
@@ -196,7 +196,7 @@ def _compare_numbers(question: Question, typed_values: Values) -> list[str]:
 
 
 def _is_rational(number: Number) -> bool:
-    return rational_ratio((number,), (1,)) is not None
+    return find_rational_ratio((number,), (1,)) is not None
 
 
 def _test_mass_ratio(typed: sp.Expr, ratio: Number) -> Iterator[str]:
@@ -206,7 +206,7 @@ def _test_mass_ratio(typed: sp.Expr, ratio: Number) -> Iterator[str]:
     if ratio <= 0:
         yield _("A ratio of two masses is positive.")
         return
-    values = point(m=1, k=1, **{"m'": ratio})
+    values = make_point(m=1, k=1, **{"m'": ratio})
     frequency = evaluate(find_question("natural_frequency_squared").right, values)
     epsilon, difference = float(ratio), float(abs(frequency - 1))
     if difference < 1e-5:

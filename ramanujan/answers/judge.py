@@ -121,7 +121,7 @@ def _has_denominator(question: Question, typed: sp.Expr) -> bool:
         numerator = terms.FIELD(question.to_fraction(typed).numer)
     except terms.NotComparableError:
         return False
-    factor = terms.names_in(numerator / question.right_terms)
+    factor = terms.find_names(numerator / question.right_terms)
     return bool(numerator) and factor.isdisjoint(question.variables)
 
 
@@ -136,7 +136,7 @@ def _explain(question: Question, typed: sp.Expr, typed_values: values.Values) ->
         return [_("Both sides of your equation are equal."), question.next_question]
     if is_zero:
         return [_("Your answer is zero."), question.next_question]
-    hint = _first_hint(question.values_of_slips, typed_values) or _explain_rounding(question, typed)
+    hint = _find_hint(question.values_of_slips, typed_values) or _explain_rounding(question, typed)
     if hint:
         return [hint]
     difference = _find_difference(question, typed, typed_values)
@@ -178,16 +178,16 @@ def _find_difference(question: Question, typed: sp.Expr, typed_values: values.Va
         return Difference([str(error)])
 
 
-def _first_hint(mistakes: values.Mistakes, typed_values: values.Values) -> str | None:
+def _find_hint(mistakes: values.Mistakes, typed_values: values.Values) -> str | None:
     return next((hint for hint, wrong in mistakes if values.agree(typed_values, wrong)), None)
 
 
 def _explain_wrong_bodies(question: Question, typed_values: values.Values) -> str | None:
     """Return the hint at a wrong body, None if no wrong body explains the answer."""
-    hint = _first_hint(question.values_of_wrong_bodies, typed_values)
+    hint = _find_hint(question.values_of_wrong_bodies, typed_values)
     if hint or not question.of_one_body:
         return hint
-    hint_without_half = _first_hint(question.values_of_wrong_bodies, tuple(value / 2 for value in typed_values))
+    hint_without_half = _find_hint(question.values_of_wrong_bodies, tuple(value / 2 for value in typed_values))
     if hint_without_half:
         return _("{hint} A factor ½ is missing as well.").format(hint=hint_without_half)
     return None
@@ -198,7 +198,7 @@ def _explain_rounding(question: Question, typed: sp.Expr) -> str | None:
     numbers = values.find_decimals(typed)
     if not numbers or question.kind == EQUATION:
         return None
-    units = values.rounding_error(typed, question.right_values)
+    units = values.compute_rounding_error(typed, question.right_values)
     if units is not None:
         if units <= _HALF:
             return _("An exact number agrees with your decimal number to the last digit. What is the exact number?")
@@ -219,7 +219,7 @@ def _explain_rounded_mistake(question: Question, typed: sp.Expr, digits: int) ->
         mistakes += question.values_of_wrong_bodies
     hints = []
     for hint, wrong in mistakes:
-        units = values.rounding_error(typed, wrong)
+        units = values.compute_rounding_error(typed, wrong)
         if units is not None and units <= _HALF:
             hints.append(hint)
     if len(hints) == 1:
@@ -248,10 +248,10 @@ def _explain_foreign_names(question: Question, typed: sp.Expr) -> str | None:
 
 def _explain_wrong_unit(question: Question, typed: sp.Expr) -> str | None:
     """Return a sentence about a wrong unit of the answer, None if the unit is right."""
-    right = values.unit(question.right)
+    right = values.find_unit(question.right)
     quantity = question.quantity
     try:
-        unit = values.unit(typed)
+        unit = values.find_unit(typed)
     except values.DifferentUnitsError as error:
         # The unit of a plain number is empty.
         one, other = error.args

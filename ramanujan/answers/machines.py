@@ -226,7 +226,7 @@ def _change(body: Body, mistake: Mistake, names: list[str]) -> Body:
     return replace(body, **mistake.change(body)) if body.name in names else body
 
 
-def common_hint(alternatives: Sequence[Altered]) -> str | None:
+def find_common_hint(alternatives: Sequence[Altered]) -> str | None:
     """Return the hint for altered machines with the same result, None if their mistakes differ.
 
     If their groups contain each other, the hint is about the smallest group. The other bodies do not affect the result.
@@ -315,7 +315,7 @@ def _solve_condition(name: str, squared: FracElement) -> sp.Expr | None:
     if condition.degree() != 2:
         return None
     if name == "unit_mass_ratio":
-        return positive_root(condition)
+        return find_positive_root(condition)
     # An equation with one term states only that this term is zero.
     return condition.as_expr() if len(condition.terms()) > 1 else None
 
@@ -325,7 +325,7 @@ def _in_units(expression: sp.Expr) -> FracElement:
     return _DOMAIN.from_sympy(sp.sympify(expression).xreplace(_UNITS))
 
 
-def positive_root(condition: sp.Poly) -> sp.Expr | None:
+def find_positive_root(condition: sp.Poly) -> sp.Expr | None:
     """Return the positive root of a quadratic, None unless exactly one root is positive."""
     a, b, c = condition.all_coeffs()
     has_one_positive_root = a * c < 0

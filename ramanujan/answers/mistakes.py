@@ -344,7 +344,7 @@ def find_mass_ratio_slips() -> Slips:
     yield _fill_slip("no_b_squared", "(√1728-1)/36", (sp.sqrt(-4 * a * c) - b) / (2 * a))
     yield _fill_slip("no_4_under_root", "(√433-1)/36", (sp.sqrt(b**2 - a * c) - b) / (2 * a))
     for slip in _find_condition_slips():
-        roots = (machines.positive_root(sp.Poly(wrong, epsilon)) for wrong in slip.results)
+        roots = (machines.find_positive_root(sp.Poly(wrong, epsilon)) for wrong in slip.results)
         yield slip._replace(results=tuple(roots))
     yield from find_elimination_slips("unit_mass_ratio")
 

@@ -17,7 +17,7 @@ from ramanujan.answers.machines import BODY_NAMES, Altered
 from ramanujan.answers.mistakes import Slip, Slips, eliminate_right_machine
 from ramanujan.answers.spelling import MOTION, SYMBOLS, TEXTBOOK
 from ramanujan.answers.terms import NAMES, Comparison, to_fraction
-from ramanujan.answers.values import Mistakes, Values, agree, evaluate_at_points, quotients_at_points
+from ramanujan.answers.values import Mistakes, Values, agree, evaluate_at_points, evaluate_quotients
 from ramanujan.derivation import ROUTES, Step, model
 from ramanujan.derivation.elimination import Phi_ddot, X_ddot, phi_ddot
 from ramanujan.derivation.model import Machine, R, X, epsilon, m, m_prime, machine, phi, t
@@ -106,7 +106,7 @@ class Question:
         ArithmeticError : under the conditions of `values.evaluate_at_points`.
         """
         if self.kind == EQUATION:
-            return quotients_at_points(formula, self.variables)
+            return evaluate_quotients(formula, self.variables)
         return evaluate_at_points(formula)
 
     def to_fraction(self, formula: sp.Expr) -> FracElement:
@@ -163,7 +163,7 @@ class Question:
             values = self._values_of_mistake(self.of_machine(altered.machine))
             if values:
                 _add_to_group(groups, values, altered)
-        hints = [(machines.common_hint(group), values) for values, group in groups]
+        hints = [(machines.find_common_hint(group), values) for values, group in groups]
         return tuple((hint, values) for hint, values in hints if hint)
 
     def _values_of_mistake(self, result: sp.Expr | None) -> Values | None:

@@ -117,7 +117,7 @@ def _count_terms(expression: sp.Expr) -> float:
     return inf
 
 
-def names_in(formula: FracElement) -> frozenset[str]:
+def find_names(formula: FracElement) -> frozenset[str]:
     """Return the names on which a formula depends."""
     # Each key of a polynomial contains the powers of NAMES in one of its terms.
     powers_of_terms = [*formula.numer, *formula.denom]
@@ -149,7 +149,7 @@ def to_fraction(expression: sp.Expr, *, of_ratio: bool = False) -> FracElement:
 # In words
 
 
-def shown_name(name: str) -> str:
+def format_name(name: str) -> str:
     """Return a name with its Greek letters and primes, for a sentence."""
     for typed, shown in _SHOWN.items():
         name = name.replace(typed, shown)
@@ -158,26 +158,26 @@ def shown_name(name: str) -> str:
 
 def join_names(names: list[str]) -> str:
     """Return names as a list in a sentence: "m, k and R"."""
-    *first, last = map(shown_name, names)
+    *first, last = map(format_name, names)
     return _("{names} and {last}").format(names=", ".join(first), last=last) if first else last
 
 
-def _shown_product(powers: tuple[int, ...]) -> str:
+def _format_product(powers: tuple[int, ...]) -> str:
     factors = []
     for name, power in zip(NAMES, powers, strict=True):
         if power:
-            factors.append(shown_name(name) + (superscript(power) if power > 1 else ""))
+            factors.append(format_name(name) + (superscript(power) if power > 1 else ""))
     return "".join(factors)
 
 
-def shown_factor(factor: FracElement) -> str | None:
+def format_factor(factor: FracElement) -> str | None:
     """Return a quotient of two single terms as text, such as 3m′/(2m); None for a factor with more terms."""
     if len(factor.numer) != 1 or len(factor.denom) != 1:
         return None
     ((numerator_powers, p),) = factor.numer.items()
     ((denominator_powers, q),) = factor.denom.items()
-    numerator = (str(abs(int(p))) if abs(p) != 1 else "") + _shown_product(numerator_powers)
-    denominator = (str(int(q)) if q != 1 else "") + _shown_product(denominator_powers)
+    numerator = (str(abs(int(p))) if abs(p) != 1 else "") + _format_product(numerator_powers)
+    denominator = (str(int(q)) if q != 1 else "") + _format_product(denominator_powers)
     shown = ("−" if p < 0 else "") + (numerator or "1")
     if not denominator:
         return shown
@@ -187,7 +187,7 @@ def shown_factor(factor: FracElement) -> str | None:
     return f"{shown}/({denominator})"
 
 
-def factor_in_words(factor: str) -> str:
+def describe_factor(factor: str) -> str:
     """Return a factor in words, such as "twice" or "3/2 times", for a sentence that continues with "the right one"."""
     # TRANSLATORS: stands for {times} in a sentence such as: Your answer is {times} the right one.
     return _WORDS.get(factor) or _("{factor} times").format(factor=factor)
@@ -205,7 +205,7 @@ def summarize(differences: list[TermDifference]) -> list[str]:
 
 def describe_multiple(ratio: FracElement) -> list[str]:
     """Return a sentence with the ratio of the typed answer to the right one; an empty list unless it is simple."""
-    factor = shown_factor(ratio)
+    factor = format_factor(ratio)
     if factor is None:
         return []
     times, sign = _("Your answer is {times} the right one."), _("Your answer has the wrong sign.")
@@ -221,7 +221,7 @@ def _describe_size_and_sign(factor: str, times: str, sign: str, **names: str) ->
     times, sign : templates of the two sentences
     names : values of the other slots in the templates
     """
-    size = factor_in_words(factor.removeprefix("−"))
+    size = describe_factor(factor.removeprefix("−"))
     if not factor.startswith("−"):
         return times.format(times=size, **names)
     wrong_sign = sign.format(**names)
@@ -268,7 +268,7 @@ class Comparison:
                 typed.get(powers, FIELD.zero), right.get(powers, FIELD.zero), without_signs.get(powers, FIELD.zero)
             )
             if coefficients.typed != coefficients.right:
-                product = _shown_product(powers)
+                product = _format_product(powers)
                 term = place.format(term=product) if product else ""
                 differences.append(coefficients._describe_coefficient(product, term, variables))
         return differences
@@ -297,9 +297,9 @@ class Comparison:
             return words.extra.format(term=term)
         if not self.typed:
             return (words.cancels if self.without_signs else words.missing).format(term=term)
-        if term and {"m", "m'"} <= names_in(self.right) and self.typed == _interchange_masses(self.right):
+        if term and {"m", "m'"} <= find_names(self.right) and self.typed == _interchange_masses(self.right):
             return _("In your coefficient of {term} m and m′ are interchanged.").format(term=term)
-        factor = shown_factor(self.typed / self.right)
+        factor = format_factor(self.typed / self.right)
         if factor is None:
             return words.wrong.format(term=term)
         sentence_about_names = self._compare_names(term) if term else None
@@ -311,19 +311,19 @@ class Comparison:
     def _compare_names(self, term: str) -> str | None:
         """Return a sentence about the names in which the coefficients differ, None if their numbers differ, too."""
         ratio = self.typed / self.right
-        if not names_in(ratio) or ratio.numer.LC * ratio.denom.LC != 1:
+        if not find_names(ratio) or ratio.numer.LC * ratio.denom.LC != 1:
             return None
         if ratio.denom == 1:
             extra = _("Your coefficient of {term} contains an extra factor {factor}.")
-            return extra.format(term=term, factor=shown_factor(ratio))
+            return extra.format(term=term, factor=format_factor(ratio))
         if ratio.numer == 1:
             lacks = _("Your coefficient of {term} lacks a factor {factor}.")
-            return lacks.format(term=term, factor=shown_factor(1 / ratio))
+            return lacks.format(term=term, factor=format_factor(1 / ratio))
         for yours, theirs in (("m", "m'"), ("m'", "m")):
-            replaces = theirs in names_in(self.right) and yours not in names_in(self.right)
+            replaces = theirs in find_names(self.right) and yours not in find_names(self.right)
             if replaces and ratio == _GENERATORS[yours] / _GENERATORS[theirs]:
                 instead = _("Your coefficient of {term} contains {yours} instead of {right}.")
-                return instead.format(term=term, yours=shown_name(yours), right=shown_name(theirs))
+                return instead.format(term=term, yours=format_name(yours), right=format_name(theirs))
         return None
 
     # Of the whole formula
@@ -357,9 +357,9 @@ class Comparison:
         numerator = numerators.differences(NAMES, _("{term} in the numerator"))
         # TRANSLATORS: as before, of a term below the fraction line.
         denominator = denominators.differences(NAMES, _("{term} in the denominator"))
-        if numerator and not names_in(FIELD(self.typed.denom) / D):
+        if numerator and not find_names(FIELD(self.typed.denom) / D):
             return _("Written as one fraction, your answer has the right denominator."), numerator
-        if denominator and not names_in(FIELD(self.typed.numer) / N):
+        if denominator and not find_names(FIELD(self.typed.numer) / N):
             return _("Written as one fraction, your answer has the right numerator."), denominator
         # Reducing a wrong fraction to lowest terms may change both parts. Then the expanded fraction is compared.
         if numerator and len(numerator) == 1:
@@ -383,7 +383,7 @@ def _collect_coefficients(
     """
     is_variable = [name in variables for name in NAMES]
     denominator = FIELD(formula.denom)
-    if names_in(denominator).intersection(variables):
+    if find_names(denominator).intersection(variables):
         return None
     coefficients: dict[tuple[int, ...], FracElement] = {}
     for powers, number in formula.numer.items():

@@ -76,7 +76,7 @@ def _raise(base: Number, exponent: sp.Rational) -> Number:
     return _MP.sqrt(base) ** int(2 * exponent)
 
 
-def point(**values: Number | int) -> dict[sp.Expr, Number]:
+def make_point(**values: Number | int) -> dict[sp.Expr, Number]:
     """Return symbol → value for values by typed name, with ε = m′/m."""
     coordinates = {SYMBOLS[name]: _MP.convert(value) for name, value in values.items()}
     return coordinates | {epsilon: coordinates[m_prime] / coordinates[m]}
@@ -91,7 +91,7 @@ def _draw_points() -> tuple[dict[sp.Expr, Number], ...]:
         for name in values:
             if name in MOTION and "phi" not in name:
                 values[name] *= sign
-        points.append(point(**values))
+        points.append(make_point(**values))
     return tuple(points)
 
 
@@ -99,7 +99,7 @@ POINTS = _draw_points()
 
 
 @cache
-def moved_points(names: tuple[str, ...]) -> tuple[dict[sp.Expr, Number], ...]:
+def move_points(names: tuple[str, ...]) -> tuple[dict[sp.Expr, Number], ...]:
     """Return `POINTS` with other values of these names; `eps` changes m′ and the mass ratio."""
     names = tuple("m'" if name == "eps" else name for name in names)
     next_points = POINTS[1:] + POINTS[:1]
@@ -120,7 +120,7 @@ def evaluate_at_points(expression: sp.Expr, points: tuple[dict[sp.Expr, Number],
     return tuple(evaluate(expression, values) for values in points)
 
 
-def quotients_at_points(expression: sp.Expr, names: tuple[str, ...]) -> Values:
+def evaluate_quotients(expression: sp.Expr, names: tuple[str, ...]) -> Values:
     """Return values that do not change if the equation “expression = 0” is multiplied by a factor.
 
     They are quotients of its values at `POINTS` and at points with other values of `names`. A factor without these
@@ -130,7 +130,7 @@ def quotients_at_points(expression: sp.Expr, names: tuple[str, ...]) -> Values:
     ------
     ArithmeticError : under the conditions of `evaluate_at_points`.
     """
-    numerators, denominators = evaluate_at_points(expression), evaluate_at_points(expression, moved_points(names))
+    numerators, denominators = evaluate_at_points(expression), evaluate_at_points(expression, move_points(names))
     return tuple(a / b if b else _MP.zero for a, b in zip(numerators, denominators, strict=True))
 
 
@@ -139,7 +139,7 @@ def agree(left: Values, right: Values) -> bool:
     return all(abs(a - b) <= _AGREEING * abs(a) for a, b in zip(left, right, strict=True))
 
 
-def rational_ratio(left: Values, right: Values) -> Fraction | None:
+def find_rational_ratio(left: Values, right: Values) -> Fraction | None:
     """Return the quotient of two formulas if it is a rational number with a denominator up to 10⁶, else None."""
     if 0 in right:
         return None
@@ -176,7 +176,7 @@ def find_decimals(expression: sp.Expr) -> set[sp.Symbol]:
     return {symbol for symbol in expression.free_symbols if is_decimal(symbol)}
 
 
-def rounding_error(expression: sp.Expr, target: Values) -> Number | None:
+def compute_rounding_error(expression: sp.Expr, target: Values) -> Number | None:
     """Return the rounding error of a decimal in the formula, in units of its last digit.
 
     The exact number makes the formula equal to the target at all points. Return None if no such number exists within
@@ -228,14 +228,14 @@ for _q, _unit in zip(COORDINATES, (_M, sp.S.One, sp.S.One), strict=True):
     _UNITS |= {_q: _unit, _q.diff(): _unit / _S, _q.diff().diff(): _unit / _S**2}
 
 
-def unit(expression: sp.Expr) -> str:
+def find_unit(expression: sp.Expr) -> str:
     """Return the unit of a formula, empty for a plain number; angles are plain numbers.
 
     Raises
     ------
     DifferentUnitsError : the formula adds terms with different units.
 
-    >>> unit(k * R**2 / m)
+    >>> find_unit(k * R**2 / m)
     'm²/s²'
     """
     units = {}

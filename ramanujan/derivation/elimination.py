@@ -6,7 +6,7 @@ from functools import cache
 import sympy as sp
 
 from ramanujan.derivation.model import COORDINATES, Machine, Phi, R, X, epsilon, equation, gather, k, m, m_prime, phi, t
-from ramanujan.derivation.order import in_order, ordered_terms
+from ramanujan.derivation.order import in_order, order_terms
 
 X_ddot, phi_ddot, Phi_ddot = (q.diff(t, 2) for q in COORDINATES)
 
@@ -50,7 +50,7 @@ class Elimination:
         inertia_of_block = phi_equation.coeff(X_ddot) * self.X_from_phi / phi_ddot
         # Divide by the number before the masses.
         number, _masses = own_inertia.as_independent(m, m_prime)
-        terms = (*ordered_terms(sp.expand(own_inertia / number)), sp.factor(inertia_of_block / number))
+        terms = (*order_terms(sp.expand(own_inertia / number)), sp.factor(inertia_of_block / number))
         return sp.cancel(phi_equation.coeff(phi) / number), terms
 
 
@@ -71,7 +71,7 @@ def eliminate(bodies: Machine) -> Elimination:
     motion = {q: gather(sp.cancel(left_sides[q] / common[q])) for q in COORDINATES}
     (Phi_from_X,) = sp.solve(motion[Phi], Phi_ddot)
     (X_from_phi,) = sp.solve(motion[X].subs(Phi_ddot, Phi_from_X), X_ddot)
-    inserted = in_order(*(sp.factor(term.subs(X_ddot, X_from_phi)) for term in ordered_terms(motion[phi])))
+    inserted = in_order(*(sp.factor(term.subs(X_ddot, X_from_phi)) for term in order_terms(motion[phi])))
     remaining = gather(inserted.doit())
     times, merged = _merge_equations(motion)
     return Elimination(

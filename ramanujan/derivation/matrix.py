@@ -41,11 +41,11 @@ class Modes:
         return sp.factor(self.stiffness_matrix[_PHI, _PHI] * self.inverse_mass_matrix[_PHI, _PHI])
 
 
-def modes(bodies: Machine) -> Modes:
+def find_modes(bodies: Machine) -> Modes:
     """Return the mass and stiffness matrices, which are second derivatives of the energies, and the modes.
 
     >>> from ramanujan.derivation.model import machine
-    >>> modes(machine()).eigenvalues[sp.S.Zero]
+    >>> find_modes(machine()).eigenvalues[sp.S.Zero]
     2
     """
     mass = _second_derivatives(bodies.kinetic_energy, VELOCITIES)
@@ -80,7 +80,7 @@ def list_eigenvalues(result: Modes) -> list[sp.Expr]:
 @ROUTES.add("matrix")
 def build(bodies: Machine) -> Route:
     """Return the route: matrices, determinant, spectrum, rank-one shortcut, mode shapes."""
-    result = modes(bodies)
+    result = find_modes(bodies)
     (oscillating,) = (root for root in result.eigenvalues if root != 0)
     q_ddot = sp.ImmutableMatrix(ACCELERATIONS)
     q = sp.ImmutableMatrix(COORDINATES)

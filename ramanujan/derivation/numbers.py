@@ -17,7 +17,7 @@ from sympy.utilities.iterables import sift
 
 from ramanujan.derivation.elimination import UnitCondition, eliminate, unit_condition
 from ramanujan.derivation.model import k, m, m_prime, machine
-from ramanujan.derivation.order import InOrder, in_order, ordered_terms
+from ramanujan.derivation.order import InOrder, in_order, order_terms
 from ramanujan.derivation.printers import DIGITS, QuadraticNumber, format_decimal, latex, round_number
 from ramanujan.numerals import in_latex
 from ramanujan.translation import _
@@ -100,7 +100,7 @@ class Numbers:
         """
         if _is_number(total):
             return [(self.value(total),)]
-        inserted = map(self.insert_into, ordered_terms(total))
+        inserted = map(self.insert_into, order_terms(total))
         return [term.args if isinstance(term, InOrder) else (term,) for term in inserted]
 
     def value(self, expression: sp.Expr) -> sp.Expr:

@@ -45,7 +45,7 @@ class InOrder(sp.Add):
     """A sum that keeps the order of its terms and does not collect like terms. Any calculation makes it a plain sum.
 
     >>> x = sp.Symbol("x")
-    >>> print([str(term) for term in ordered_terms(in_order(3 * x, -x))], in_order(3 * x, -x).subs(x, 1))
+    >>> print([str(term) for term in order_terms(in_order(3 * x, -x))], in_order(3 * x, -x).subs(x, 1))
     ['3*x', '-x'] 2
     """
 
@@ -98,11 +98,11 @@ def to_product(term: sp.Expr) -> Product:
 
 
 @lru_cache(maxsize=8192)
-def ordered_terms(total: sp.Expr) -> tuple[sp.Expr, ...]:
+def order_terms(total: sp.Expr) -> tuple[sp.Expr, ...]:
     """Return the terms of a sum in the order of the table.
 
     >>> from ramanujan.derivation.model import X, k, phi, t
-    >>> ordered_terms(4 * k * phi - 2 * X.diff(t, 2) + phi.diff(t, 2))
+    >>> order_terms(4 * k * phi - 2 * X.diff(t, 2) + phi.diff(t, 2))
     (Derivative(varphi(t), (t, 2)), -2*Derivative(X(t), (t, 2)), 4*k*varphi(t))
     """
     if isinstance(total, InOrder) or not total.is_Add:

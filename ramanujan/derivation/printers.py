@@ -15,7 +15,7 @@ from sympy.physics.vector.printing import VectorLatexPrinter, VectorPrettyPrinte
 from sympy.printing.latex import translate
 
 from ramanujan.derivation import model
-from ramanujan.derivation.order import InOrder, Product, is_coefficient, is_motion, ordered_terms, to_product
+from ramanujan.derivation.order import InOrder, Product, is_coefficient, is_motion, order_terms, to_product
 from ramanujan.numerals import in_latex
 from ramanujan.translation import pgettext
 
@@ -77,7 +77,7 @@ class LatexPrinter(VectorLatexPrinter):
 
     def _print_Add(self, expr: sp.Add, order: str | None = None) -> str:
         if isinstance(expr, InOrder) or not expr.is_number:
-            return join_terms([self._print(term) for term in ordered_terms(expr)])
+            return join_terms([self._print(term) for term in order_terms(expr)])
         return super()._print_Add(expr, order) if to_quadratic(expr) is None else self._product(Product(expr, (), ()))
 
     def _print_Mul(self, expr: sp.Expr) -> str:

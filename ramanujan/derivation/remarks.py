@@ -11,7 +11,7 @@ from itertools import combinations_with_replacement
 import sympy as sp
 
 from ramanujan.derivation.elimination import Elimination, Phi_ddot, X_ddot, eliminate, phi_ddot
-from ramanujan.derivation.matrix import Modes, list_eigenvalues, modes
+from ramanujan.derivation.matrix import Modes, find_modes, list_eigenvalues
 from ramanujan.derivation.model import COORDINATES, Omega_squared, X, equation, k, m, machine, phi, t
 from ramanujan.derivation.printers import latex
 from ramanujan.numerals import in_latex
@@ -48,9 +48,9 @@ def conserved_momenta() -> dict[sp.Expr, sp.Expr]:
 
 
 @cache
-def remarks() -> tuple[Remark, ...]:
+def list_remarks() -> tuple[Remark, ...]:
     """Return the remarks in the order of the paper."""
-    general, spectrum = eliminate(machine()), modes(machine())
+    general, spectrum = eliminate(machine()), find_modes(machine())
     return (
         _taxicab(),
         _rounding(eliminate(machine(roller_mass=m))),

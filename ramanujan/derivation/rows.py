@@ -13,7 +13,7 @@ import sympy as sp
 
 from ramanujan.derivation.model import M_clamped, M_e, M_x, Omega_clamped_squared, Omega_squared, epsilon
 from ramanujan.derivation.numbers import Numbers
-from ramanujan.derivation.order import InOrder, ordered_terms
+from ramanujan.derivation.order import InOrder, order_terms
 from ramanujan.derivation.printers import (
     Highlight,
     LatexPrinter,
@@ -185,7 +185,7 @@ def side_terms(
     """
     printer = LatexPrinter(dict(highlight))
     texts = []
-    parts_of_terms = numbers.terms(side) if numbers else [(term,) for term in ordered_terms(side)]
+    parts_of_terms = numbers.terms(side) if numbers else [(term,) for term in order_terms(side)]
     for place, parts in enumerate(parts_of_terms):
         of_term = [command.command for command in commands if command.place == place]
         for part in parts:

@@ -53,7 +53,9 @@ class Panel:
     range: tuple[float, float]
 
 
-def time_panels(panels: Sequence[Panel], *, period: float, periods: int, colors: Mapping[str, str]) -> EncodedFigure:
+def draw_time_panels(
+    panels: Sequence[Panel], *, period: float, periods: int, colors: Mapping[str, str]
+) -> EncodedFigure:
     """Draw panels above each other with one time axis that starts at release.
 
     Parameters
@@ -96,7 +98,7 @@ def time_panels(panels: Sequence[Panel], *, period: float, periods: int, colors:
     )
 
 
-def phase_plane(
+def draw_phase_plane(
     orbits: Sequence[Curve], velocities: Sequence[np.ndarray], *, period: float, periods: int, colors: Mapping[str, str]
 ) -> EncodedFigure:
     """Draw velocity against displacement for coordinates with one scale.
@@ -125,7 +127,7 @@ def phase_plane(
     )
 
 
-def friction_bars(
+def draw_friction_bars(
     needed: Mapping[str, float], body_colors: Sequence[str], *, friction_coefficient: float, colors: Mapping[str, str]
 ) -> EncodedFigure:
     """Draw the coefficient of static friction that each contact needs as a bar, and the present one as a line.

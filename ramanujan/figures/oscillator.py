@@ -48,7 +48,7 @@ _INSET_ACROSS, _INSET_UP = (0.04, 0.5), (0.16, 0.61)
 """The horizontal and vertical domain of the inset, below the curve, in fractions of the panel."""
 
 
-def frequency_curve(curve: Curve, colors: Mapping[str, str]) -> EncodedFigure:
+def draw_frequency_curve(curve: Curve, colors: Mapping[str, str]) -> EncodedFigure:
     """Draw Ω²m/k against ε: the curve, its two limits, and an inset around the marked ratios.
 
     On the page, a moving ring in panel and inset marks the current machine.
@@ -173,7 +173,7 @@ def draw_over_ratios(
 
     Parameters
     ----------
-    traces, hover, colors : as in `figure`
+    traces, hover, colors : as in `build_figure`
     highest : the upper end of the axis of Ω²m/k, which begins at 0
     ratio_axis : properties of the axis of the mass ratio
     more : further layout properties of Plotly

@@ -45,7 +45,7 @@ _MARKS = 8
 
 
 class _Line(NamedTuple):
-    """A curve in a panel of `error_growth`: its points, the symbol on some of them, and the look of its line."""
+    """A curve in a panel of `draw_error_growth`: its points, the symbol on some of them, and the look of its line."""
 
     name: str
     color: str
@@ -57,7 +57,7 @@ class _Line(NamedTuple):
     dash: str = "solid"
 
 
-def error_growth(
+def draw_error_growth(
     curves: Mapping[str, Curve],
     chosen: str,
     exact: tuple[np.ndarray, np.ndarray],
@@ -143,7 +143,7 @@ class MarkedRun:
     color: str
 
 
-def work_precision(
+def draw_work_precision(
     curves: Mapping[tuple[str, str], Curve],
     *,
     titles: tuple[str, str],
@@ -219,7 +219,7 @@ def _method_curves(
     return traces
 
 
-def forms(strips: Mapping[str, Sequence[Part]], *, quantity: str, colors: Colors) -> EncodedFigure:
+def draw_forms(strips: Mapping[str, Sequence[Part]], *, quantity: str, colors: Colors) -> EncodedFigure:
     """Draw a strip for each form of Ω², divided into the ranges where the form is right, and where it fails.
 
     Parameters
@@ -266,7 +266,7 @@ def forms(strips: Mapping[str, Sequence[Part]], *, quantity: str, colors: Colors
     )
 
 
-def phase_errors(periods: Sequence[float], curves: Mapping[str, Sequence[float]], colors: Colors) -> EncodedFigure:
+def draw_phase_errors(periods: Sequence[float], curves: Mapping[str, Sequence[float]], colors: Colors) -> EncodedFigure:
     """Draw the phase error against the number of periods for each method; both axes logarithmic.
 
     Parameters

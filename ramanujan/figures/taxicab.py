@@ -10,7 +10,7 @@ from ramanujan.figures.oscillator import Mark, arrow_label, draw_over_ratios
 from ramanujan.translation import _
 
 
-def level_crossing(
+def draw_level_crossing(
     ratios: np.ndarray,
     values: np.ndarray,
     *,
@@ -58,7 +58,7 @@ def level_crossing(
     return draw_over_ratios(traces, 1.3 * float(values[0]), hover, colors, {"range": (left, right)}, annotations=notes)
 
 
-def machine_grid(
+def draw_machine_grid(
     rows: Sequence[str],
     columns: Sequence[str],
     numbers: Sequence[int],
@@ -124,7 +124,7 @@ def _pairs_axis(pairs: Sequence[str]) -> dict[str, Any]:
     return {"tickvals": list(range(len(pairs))), "ticktext": list(pairs), "range": [len(pairs) - 0.4, -0.6]}
 
 
-def cube_counts(
+def draw_cube_counts(
     pairs: Sequence[str], counts: Sequence[int], highlighted: int, colors: Mapping[str, str]
 ) -> EncodedFigure:
     """Draw, for each pair of lower rollers, how many discriminants are sums of two cubes.

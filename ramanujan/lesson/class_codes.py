@@ -34,7 +34,7 @@ def find_foreign_letter(text: str) -> str:
 
     The result is empty if there is none, or if the text does not have the length of a code.
 
-    >>> first_foreign_letter("bcd-fae"), first_foreign_letter("bcd")
+    >>> find_foreign_letter("bcd-fae"), find_foreign_letter("bcd")
     ('A', '')
     """
     code = _keep_letters(text)

@@ -74,8 +74,8 @@ def make_questions(machine: Oscillator, seed: str, level: int = 1) -> tuple[Work
     level : how much of the derivation is left to complete: 1, one equation in each step; 2, all equations of a step;
         3, the whole step without its reason
 
-    >>> sheet = questions(Oscillator(), "1")
-    >>> sheet == questions(Oscillator(), "1")
+    >>> sheet = make_questions(Oscillator(), "1")
+    >>> sheet == make_questions(Oscillator(), "1")
     True
     """
     source = random.Random(seed)

@@ -64,7 +64,7 @@ class URLParameter(ABC):
         """Remove surrounding punctuation, if the text is invalid with it and valid without it."""
         if self._fits(text):
             return text
-        stripped = bare(text)
+        stripped = strip_punctuation(text)
         return stripped if self._fits(stripped) else text
 
     def _fits(self, text: str) -> bool:
@@ -177,7 +177,7 @@ class Text(URLParameter):
         return text
 
 
-def bare(text: str) -> str:
+def strip_punctuation(text: str) -> str:
     """Return a text without the brackets, quotation marks, full stops and spaces around it."""
     return text.strip(_PUNCTUATION)
 

@@ -99,7 +99,7 @@ def wall_code() -> str | None:
     return st.session_state.get(_WALL)
 
 
-def phase_of(stop: Stop) -> Phase | None:
+def find_phase(stop: Stop) -> Phase | None:
     """Return the phase of a stop in the class; None if this is not the lecturer’s session."""
     key = lecturer_key()
     if key is None:
@@ -124,22 +124,22 @@ def read_question(code: str) -> ClassQuestion:
 
 def open_class(lifetime: float = DAY) -> None:
     """Open a new class with this session as its lecturer; it is deleted after `lifetime` seconds."""
-    st.session_state[_KEY] = shared().open_class(lifetime, network()).key
+    st.session_state[_KEY] = shared().open_class(lifetime, find_network()).key
 
 
 def take_seat(code: str) -> None:
     """Join the class with this code, or wait for a seat in it. A session has at most one seat."""
-    name = browser() or st.session_state.setdefault(_SESSION, secrets.token_urlsafe(9))
+    name = identify_browser() or st.session_state.setdefault(_SESSION, secrets.token_urlsafe(9))
     for entry in (_SEAT, _AWAITED):
         st.session_state.pop(entry, None)
     try:
-        st.session_state[_SEAT] = shared().join(code, hash_browser(name, code), network())
+        st.session_state[_SEAT] = shared().join(code, hash_browser(name, code), find_network())
     except CrowdError:
         st.session_state[_AWAITED] = read_code(code)
         raise
 
 
-def browser() -> str:
+def identify_browser() -> str:
     """Return the random name of this browser; an empty text if the browser stores nothing for this page."""
     name = st.context.cookies.get(NAME)
     if name:
@@ -152,7 +152,7 @@ def has_no_storage() -> bool:
     return address.current(FRAME) == NOTHING_STORED and NAME not in st.context.cookies
 
 
-def network() -> str:
+def find_network() -> str:
     """Return the visitor’s IP address.
 
     For a direct connection it is the address of the other end. For a connection from a proxy it is the last address in
@@ -170,7 +170,7 @@ def leave() -> None:
 
 
 def run_or_refuse(action: Callable[..., object], *arguments: object) -> None:
-    """Call a function of the class. If it raises `ClassError`, store the message (see `refusal`)."""
+    """Call a function of the class. If it raises `ClassError`, store the message (see `read_refusal`)."""
     for name in (_REFUSAL, _REFUSED_QUESTION):
         st.session_state.pop(name, None)
     try:
@@ -179,7 +179,7 @@ def run_or_refuse(action: Callable[..., object], *arguments: object) -> None:
         st.session_state[_REFUSAL] = str(error)
 
 
-def refusal() -> str | None:
+def read_refusal() -> str | None:
     """Return the error message of the last call of `run_or_refuse`, or None."""
     return st.session_state.get(_REFUSAL)
 

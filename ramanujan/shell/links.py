@@ -47,7 +47,7 @@ def tidy(path: str, query: str) -> str | None:
     >>> tidy("Derivation", "m_prime=9/8)&utm_source=mail")
     'derivation?m_prime=1.125'
     """
-    bare_path = address.bare(path).strip("/").casefold()
+    bare_path = address.strip_punctuation(path).strip("/").casefold()
     page = next((page for page in PAGES.values() if page.path == bare_path), None)
     if page is None:
         return None
@@ -58,7 +58,7 @@ def tidy(path: str, query: str) -> str | None:
         if name in known:
             corrected.append((name, known[name].tidy(text)))
         elif not _TRACKING.fullmatch(name):
-            corrected.append((name, address.bare(text)))
+            corrected.append((name, address.strip_punctuation(text)))
     if page.path == path and corrected == parsed:
         return None
     return f"{quote(page.path)}?{urlencode(corrected, safe=',~')}".rstrip("?")

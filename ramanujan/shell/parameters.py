@@ -10,7 +10,7 @@ import streamlit as st
 
 from ramanujan import Oscillator
 from ramanujan.numerals import number, quantity
-from ramanujan.shell.address import URLParameter, bare, fits
+from ramanujan.shell.address import URLParameter, fits, strip_punctuation
 from ramanujan.translation import _
 
 
@@ -54,7 +54,7 @@ class Parameter(URLParameter):
         tidied = super().tidy(text)
         if self._fits(tidied):
             return tidied
-        value = read_number(bare(text))
+        value = read_number(strip_punctuation(text))
         return tidied if value is None else repr(value)
 
     def message(self) -> str:

@@ -114,8 +114,8 @@ def rerun_only(*fragments: str) -> None:
 
     Parameters
     ----------
-    fragments : keys of the fragments that depend on the machine. One of them publishes the messages of `followed`,
-        because the boxes of the sliders are not redrawn.
+    fragments : keys of the fragments that depend on the machine. One of them publishes the result of
+        `collect_box_messages`, because the boxes of the sliders are not redrawn.
     """
     st.session_state[_FRAGMENTS] = fragments
 

@@ -124,7 +124,7 @@ def escape(text: str) -> str:
     return "".join(f"\\{character}" if character in string.punctuation else character for character in text)
 
 
-def hints(name: str, sentences: Sequence[str], last: str = "") -> bool:
+def draw_hints(name: str, sentences: Sequence[str], last: str = "") -> bool:
     """Draw the requested hints, and a button for the next one.
 
     Parameters
@@ -133,7 +133,7 @@ def hints(name: str, sentences: Sequence[str], last: str = "") -> bool:
     sentences : hints in Markdown, with increasing detail
     last : label of an additional last button, if any; the function returns whether it was pressed
     """
-    shown = hints_shown(name)
+    shown = count_shown_hints(name)
     for sentence in sentences[:shown]:
         st.markdown(f":material/lightbulb: {sentence}")
     # The nth label is that of the button for the nth hint.
@@ -146,7 +146,7 @@ def hints(name: str, sentences: Sequence[str], last: str = "") -> bool:
     return shown > len(sentences)
 
 
-def hints_shown(name: str) -> int:
+def count_shown_hints(name: str) -> int:
     """Return the number of requested hints."""
     return st.session_state.get(f"hints_shown_{name}", 0)
 

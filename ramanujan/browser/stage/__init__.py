@@ -48,7 +48,7 @@ The message, published at every change; all but the first entry are optional:
 
 Other parts of the page communicate with a stage through the topics of the bus, listed in
 `ramanujan.browser.components`. The stage sends nothing to the server, except its view at the desk of a class: a drag of
-the slab moves the slider, which sends its own value (thumb.js).
+the slab moves the slider, which sends its own value (live_values.js).
 """
 
 from collections.abc import Callable, Iterable, Mapping

@@ -13,7 +13,7 @@ from ramanujan.answers.questions import Question
 from ramanujan.derivation import ROUTES, Route, Step
 from ramanujan.derivation.energies import belongs_to, symbols_of_part, terms_by_part
 from ramanujan.derivation.export import to_beamer, to_latex, to_markdown, to_notebook
-from ramanujan.derivation.matrix import Modes, modes
+from ramanujan.derivation.matrix import Modes, find_modes
 from ramanujan.derivation.model import COORDINATES, MOMENTA, Omega_squared, equation, machine
 from ramanujan.derivation.numbers import Numbers
 from ramanujan.derivation.order import InOrder
@@ -142,7 +142,7 @@ def document(
 @st.cache_resource(show_spinner=False)
 @responsive()
 def _modes() -> Modes:
-    return modes(machine())
+    return find_modes(machine())
 
 
 def _row(

@@ -11,7 +11,7 @@ from ramanujan.derivation import ROUTES, Step
 from ramanujan.derivation.energies import PARTS
 from ramanujan.derivation.nomenclature import DOTS
 from ramanujan.derivation.numbers import Numbers, state_numbers
-from ramanujan.derivation.remarks import remarks
+from ramanujan.derivation.remarks import list_remarks
 from ramanujan.pages.derivation import cache
 from ramanujan.pages.derivation.modes import MODES, draw_modes
 from ramanujan.shell import address, display_mode, messages, navigation, sidebar, stages, theme, widgets
@@ -293,7 +293,7 @@ def draw_notes_on_paper() -> None:
         return
     with notes, st.spinner(_("Checking each line …")), responsive():
         st.markdown(_("The paper’s main result is right. SymPy has checked each of these notes on its details."))
-        for note in remarks():
+        for note in list_remarks():
             mark = _(":green[:material/check: checked]") if note.holds else _(":red[:material/close: not confirmed]")
             st.markdown(
                 _("**{where}** {mark}\\\nThe paper has: {printed}\\\nBetter: {correct}\\\n{note}").format(

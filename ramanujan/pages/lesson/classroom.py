@@ -173,7 +173,7 @@ def draw_end() -> None:
 
 def _draw_error() -> None:
     """Draw the error message of the last action, if there is one."""
-    sentence = class_session.refusal()
+    sentence = class_session.read_refusal()
     if sentence:
         st.warning(sentence)
 
@@ -442,7 +442,7 @@ def _draw_waiting() -> None:
     with st.container(key="class_phone"):
         st.html(NOTHING_TO_SET)
         st.title(_("Class {code}").format(code=group_code(code)), anchor=False)
-        st.info(class_session.refusal())
+        st.info(class_session.read_refusal())
         _draw_leave_button()
 
 

@@ -11,7 +11,7 @@ import streamlit as st
 from ramanujan import Oscillator, drawn_spacing
 from ramanujan.derivation.energies import PARTS
 from ramanujan.figures import EncodedFigure
-from ramanujan.figures.motion import Curve, Panel, phase_plane, roomy, time_panels
+from ramanujan.figures.motion import Curve, Panel, draw_phase_plane, draw_time_panels, roomy
 from ramanujan.record import Record
 from ramanujan.record import record as take_record
 from ramanujan.shell import theme
@@ -108,7 +108,7 @@ def _orbits(motion: Record, colors: Mapping[str, str]) -> EncodedFigure:
     for body, (x, v) in {"slab": relative, "block": ground, "top": relative}.items():
         curves.append(_body_curve(body, _CM * x[body], colors))
         velocities.append(_CM * v[body])
-    return phase_plane(curves, velocities, period=motion.oscillator.period, periods=PERIODS, colors=colors)
+    return draw_phase_plane(curves, velocities, period=motion.oscillator.period, periods=PERIODS, colors=colors)
 
 
 def _energy(motion: Record, colors: Mapping[str, str]) -> EncodedFigure:
@@ -175,4 +175,4 @@ def _panel(title: str, unit: str, curves: list[Curve]) -> Panel:
 
 
 def _over_time(motion: Record, panels: list[Panel], colors: Mapping[str, str]) -> EncodedFigure:
-    return time_panels(panels, period=motion.oscillator.period, periods=PERIODS, colors=colors)
+    return draw_time_panels(panels, period=motion.oscillator.period, periods=PERIODS, colors=colors)

@@ -10,7 +10,7 @@ from ramanujan.derivation.energies import PARTS
 from ramanujan.derivation.model import MOMENTA
 from ramanujan.derivation.printers import latex
 from ramanujan.figures import EncodedFigure
-from ramanujan.figures.motion import friction_bars
+from ramanujan.figures.motion import draw_friction_bars
 from ramanujan.numerals import filled, fixed, quantity
 from ramanujan.pages.motion import cache
 from ramanujan.record import Record
@@ -185,7 +185,7 @@ def draw_required_friction(motion: Record, friction: Friction) -> None:
     """Draw the required friction of each contact as bars, with the current μ and the largest compression."""
     needed = required_friction(motion.oscillator, motion.compression, spacing=motion.spacing)
     mu, colors = friction.coefficient, theme.colors()
-    bars = friction_bars(
+    bars = draw_friction_bars(
         {cache.CONTACTS[name]: value for name, value in needed.items()},
         [colors[name.partition("_")[0]] for name in needed],
         friction_coefficient=mu,

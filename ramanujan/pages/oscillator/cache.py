@@ -13,7 +13,7 @@ from ramanujan.derivation.model import epsilon
 from ramanujan.derivation.numbers import Numbers, unit_frequency_condition
 from ramanujan.derivation.rows import Row, align, make_rows
 from ramanujan.figures import EncodedFigure
-from ramanujan.figures.oscillator import Curve, Mark, frequency_curve
+from ramanujan.figures.oscillator import Curve, Mark, draw_frequency_curve
 from ramanujan.shell import theme
 from ramanujan.shell.cache import route
 from ramanujan.translation import _
@@ -76,7 +76,7 @@ def equal_masses_value() -> str:
 @st.cache_resource(show_spinner=False, max_entries=4)
 def figure(light_or_dark: str) -> EncodedFigure:
     """Return the figure of the curve, which is the same for every machine. The theme's name is the key of the cache."""
-    return frequency_curve(curve(), theme.colors())
+    return draw_frequency_curve(curve(), theme.colors())
 
 
 @dataclass(frozen=True)

@@ -15,10 +15,10 @@ import streamlit as st
 from ramanujan import Oscillator
 from ramanujan.accuracy.choices import (
     ClosedForm,
-    arithmetics,
-    caching,
-    closed_form,
-    curve_sampling,
+    measure_arithmetics,
+    measure_caching,
+    measure_closed_form,
+    sample_curves,
     seconds_per_reduction,
 )
 from ramanujan.accuracy.extremes import Sweep, extremes
@@ -112,7 +112,7 @@ def _step_seconds(method: str, dtype: str) -> Timing:
 def closed(periods: int) -> ClosedForm:
     """Return error and time [s] of the closed form."""
     with _MEASURING:
-        return closed_form(Oscillator(), [periods])[0]
+        return measure_closed_form(Oscillator(), [periods])[0]
 
 
 def forget_seconds() -> None:
@@ -154,11 +154,11 @@ def choices() -> Choices:
     machine = Oscillator()
     with _MEASURING:
         return Choices(
-            states=closed_form(machine),
+            states=measure_closed_form(machine),
             reduction=seconds_per_reduction(machine),
-            curves=curve_sampling(),
-            arithmetics=arithmetics(),
-            speedups=caching(machine),
+            curves=sample_curves(),
+            arithmetics=measure_arithmetics(),
+            speedups=measure_caching(machine),
         )
 
 
@@ -177,4 +177,4 @@ def phases_figure(machine: Oscillator, colors: dict[str, str]) -> EncodedFigure:
         _("Ω·<i>t</i> in float64"): [p.float64 for p in errors_by_periods],
         _("whole turns subtracted first"): [p.reduced for p in errors_by_periods],
     }
-    return figures.phase_errors([p.periods for p in errors_by_periods], curves, colors)
+    return figures.draw_phase_errors([p.periods for p in errors_by_periods], curves, colors)

@@ -93,7 +93,7 @@ def draw_diagram() -> None:
         index = int(np.argmax(curve.steps_per_period == steps))
         points.append((int(curve.evaluations[index]), float(curve.error[index])))
     drawings.plot(
-        figures.work_precision(
+        figures.draw_work_precision(
             {
                 (METHODS[name].title, curve.dtype): downsampling.costs(curve, "evaluations")
                 for name, curve in curves.items()

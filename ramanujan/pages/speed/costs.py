@@ -112,7 +112,7 @@ def draw_diagram(periods: int, by: str, tolerance: float) -> None:
         marked_runs[_("closed form")] = figures.MarkedRun(
             cost=closed.seconds.median, error=closed.phase_error, symbol="star", size=15, color="ink"
         )
-    diagram = figures.work_precision(
+    diagram = figures.draw_work_precision(
         {(METHODS[curve.method].title, curve.dtype): downsampling.costs(curve, by) for curve in curves},
         titles=(_COST_TITLES[by], _("largest error, relative to the amplitude")),
         tolerance=tolerance,

@@ -81,7 +81,7 @@ def draw_forms() -> list[Sweep]:
         alternative = _("What {count:word} forms of Ω² return, from the least value to the greatest. {findings}.")
         findings = "; ".join(map(verdicts.describe_strip, shown))
         strips = {FORMS[sweep.form].title: verdicts.strip(sweep) for sweep in shown}
-        drawn = figures.forms(strips, quantity=cache.ALONG[sweep_name][1], colors=theme.colors())
+        drawn = figures.draw_forms(strips, quantity=cache.ALONG[sweep_name][1], colors=theme.colors())
         drawings.plot(drawn, "forms", filled(alternative, count=len(FORMS), findings=findings))
     with words:
         sentence = _(

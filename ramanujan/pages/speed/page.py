@@ -70,7 +70,7 @@ def draw_error_growth(method: str, steps: int) -> int:
     closed_form = np.array([errors.periods for errors in shown_phases]), np.array([e.float64 for e in shown_phases])
     curves = {METHODS[run.method].title: (run.times, run.energy, run.phase) for run in runs}
     titles = [method.title for method in METHODS.values()]
-    figure = figures.error_growth(curves, METHODS[method].title, closed_form, titles, theme.colors())
+    figure = figures.draw_error_growth(curves, METHODS[method].title, closed_form, titles, theme.colors())
     alternative = _(
         "Energy error and phase error over the number of periods. The phase errors of the methods grow with time. That "
         "of the closed form grows too, but it stays near the rounding error. {errors}"

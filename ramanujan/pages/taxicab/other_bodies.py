@@ -145,7 +145,7 @@ def draw_all_machines(chosen: BodyChoice) -> None:
     one, other = (machine.discriminant for machine in machines if len(machine.cubes) == 1)
     facts = {"count": len(machines), "best": best.discriminant, "one": one, "other": other}
     drawings.plot(
-        figures.machine_grid(
+        figures.draw_machine_grid(
             [pair_name(*names) for names in pairs],
             [WORDS[body] for body in columns],
             [machine.discriminant for machine in machines],

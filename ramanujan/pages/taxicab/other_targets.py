@@ -78,7 +78,7 @@ def draw_curve() -> None:
     # The curve contains the target and the current machine.
     least = min(story.ratio / 2, 0.9 * machine.mass_ratio)
     most = max(2 * story.ratio, 1.1 * machine.mass_ratio)
-    figure = figures.level_crossing(
+    figure = figures.draw_level_crossing(
         *cache.curve(least, most),
         level=float(target),
         level_label=_("in step: {level}").format(level=level) if target == 1 else level,
@@ -227,7 +227,7 @@ def draw_counts(tallies: list[cache.Tally], paper_index: int) -> None:
         "How many of {count} discriminants are sums of two positive cubes, by pair of lower rollers. The paper’s pair "
         "has the most. {sums}."
     )
-    figure = figures.cube_counts(labels, sums, paper_index, theme.colors())
+    figure = figures.draw_cube_counts(labels, sums, paper_index, theme.colors())
     drawings.plot(figure, "counts", alternative.format(count=paper.machines, sums=list_of_sums))
     caption = _(
         "Counted for all targets p/q with p and q up to {most} that every machine reaches, and for each body on top: "

@@ -53,7 +53,7 @@ def draw_question(name: str, has_key: bool) -> None:
         questions.judge_typed(name)
         questions.draw_question(name, with_step=has_key)
         if has_key:
-            st.latex(questions.step_to_answer(name))
+            st.latex(questions.typeset_answer_step(name))
 
 
 def title(item: str) -> str:
@@ -63,7 +63,7 @@ def title(item: str) -> str:
 
 def draw_worksheet(items: tuple[str, ...]) -> None:
     """Draw the worksheet, and offer it as a file."""
-    text = worksheet_text(items)
+    text = write_worksheet(items)
     with slide("question", END):
         st.markdown(text)
         with st.container(horizontal=True, vertical_alignment="center", key="worksheet_choices"):
@@ -73,21 +73,21 @@ def draw_worksheet(items: tuple[str, ...]) -> None:
             )
 
 
-def worksheet_text(items: tuple[str, ...]) -> str:
+def write_worksheet(items: tuple[str, ...]) -> str:
     """Return the worksheet as Markdown: each item with its answer, the time of the first right one, and used hints."""
     lines = ["# " + _("Ramanujan’s oscillator: exercise"), _("Name: {line} Date: {line}").format(line="\\_" * 16), ""]
     for number, item in enumerate(items, start=1):
         text = find_question(item).prompt() if item in QUESTIONS else lesson.find_task(item).text
         lines.append(f"{number}. **{title(item)}.** {text}")
-        lines += [f"   - {result}" for result in results_of(item)]
+        lines += [f"   - {result}" for result in list_results(item)]
     return "\n".join(lines) + "\n"
 
 
-def results_of(item: str) -> list[str]:
+def list_results(item: str) -> list[str]:
     """Return Markdown lines: the answer to a question or task, when it was first right, and the number of hints."""
     is_question = item in QUESTIONS
-    answer = questions.answer_to(item)
-    hints = widgets.hints_shown(item if is_question else f"task_{item}")
+    answer = questions.find_answer(item)
+    hints = widgets.count_shown_hints(item if is_question else f"task_{item}")
     lines = []
     if answer is None:
         lines.append(_("Not answered.") if is_question else _("Not done yet."))

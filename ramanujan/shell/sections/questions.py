@@ -58,7 +58,7 @@ def title(name: str) -> str:
 
 def is_solved(name: str) -> bool:
     """Return whether a question has a right answer."""
-    answer = answer_to(name)
+    answer = find_answer(name)
     return answer is not None and answer.right_since is not None
 
 
@@ -72,7 +72,7 @@ def judge_typed(name: str, route: str = "") -> None:
     """
     text = st.session_state.get(f"answer_{route}{name}")
     if text:
-        verdict = verdict_on(name, text)
+        verdict = judge_answer(name, text)
         store_answer(name, text, is_right=verdict.kind == "right")
 
 
@@ -85,7 +85,7 @@ def store_answer(name: str, answer: str, is_right: bool) -> None:
     answers[name] = GivenAnswer(answer[:_LONGEST], right_since)
 
 
-def answer_to(name: str) -> GivenAnswer | None:
+def find_answer(name: str) -> GivenAnswer | None:
     """Return the stored answer to a question or task, or None."""
     return st.session_state.get(_ANSWERS, {}).get(name)
 
@@ -133,12 +133,12 @@ def draw_box(name: str, with_step: bool, route: str = "") -> None:
         )
         st.form_submit_button(_("Check"), type="primary")
     if text:
-        draw_verdict(verdict_on(name, text), as_parsed(text, is_equation))
-    if not route and widgets.hints(name, shown.hints, _("Show me this step") if with_step else ""):
-        st.latex(step_to_answer(name))
+        draw_verdict(judge_answer(name, text), typeset_as_parsed(text, is_equation))
+    if not route and widgets.draw_hints(name, shown.hints, _("Show me this step") if with_step else ""):
+        st.latex(typeset_answer_step(name))
     # Derive the right answer now, so that the first verdict does not take long.
     with st.spinner(_("Deriving the answer …"), show_time=False):
-        verdict_on(name, "1")
+        judge_answer(name, "1")
 
 
 def draw_verdict(verdict: Verdict, formula: str | None) -> None:
@@ -150,20 +150,20 @@ def draw_verdict(verdict: Verdict, formula: str | None) -> None:
 
 
 @st.cache_data(show_spinner=False)
-def step_to_answer(name: str) -> str:
+def typeset_answer_step(name: str) -> str:
     """Return the step that leads to the answer of a question, as one block of LaTeX."""
     return typeset_beside_machine([make_row(equation) for equation in find_answer_equations(name)])
 
 
 @st.cache_data(show_spinner=False, max_entries=512)
 @responsive()
-def verdict_on(name: str, text: str) -> Verdict:
+def judge_answer(name: str, text: str) -> Verdict:
     """Return the verdict on an answer. The first call for a question also derives its answer and typical mistakes."""
     return judge(name, text)
 
 
 @st.cache_data(show_spinner=False, max_entries=512)
-def as_parsed(text: str, is_equation: bool = False) -> str | None:
+def typeset_as_parsed(text: str, is_equation: bool = False) -> str | None:
     """Return a typed formula as LaTeX, as the parser understands it; None if the parser cannot read it."""
     try:
         return typeset(text, is_equation=is_equation)

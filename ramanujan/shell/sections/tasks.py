@@ -56,7 +56,7 @@ def draw_task(task: Task) -> TaskVerdict:
         with picture if is_projector() and task.fields else words:
             with st.container(key="task_verdict"):
                 verdict = draw_verdict(task, attempt)
-            widgets.hints(f"task_{task.id}", [widgets.escape(hint) for hint in task.hints])
+            widgets.draw_hints(f"task_{task.id}", [widgets.escape(hint) for hint in task.hints])
     return verdict
 
 
