@@ -98,8 +98,8 @@ MUTATIONS = [
     Mutation(
         "the reference arrow is too long",
         "stage/layers.js",
-        "drawn(value * per[name])",
-        "drawn(1.3 * value * per[name])",
+        "drawn(value * unitLengths[name])",
+        "drawn(1.3 * value * unitLengths[name])",
         LAYERS,
     ),
     Mutation("the plain mass's hand is frozen", "stage/dial.js", "rotate(${degrees(plainPhase)})", "rotate(0)"),

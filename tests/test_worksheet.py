@@ -17,7 +17,7 @@ from streamlit.testing.v1 import AppTest
 
 from ramanujan import UNIT_MASS_RATIO, Oscillator, lesson, normalized_frequency_squared
 from ramanujan.lesson.picture import draw_svg
-from ramanujan.lesson.worksheet import make_questions
+from ramanujan.lesson.worksheet import WorksheetQuestion, make_questions
 from ramanujan.shell import address, theme, worksheet_keys
 from tests.browser import ROOT
 from tests.latex import Formula
@@ -37,25 +37,33 @@ def value(text: str, name: str) -> mpmath.mpf:
 
 @pytest.mark.parametrize("machine", MACHINES)
 def test_the_key_and_each_line_of_its_working_give_the_core_s_numbers(machine):
-    *_, ratio, squared, felt, parting, _target = make_questions(machine, "1")
-    rigid = np.linalg.eigvals(np.linalg.solve(machine.mass_matrix, machine.stiffness_matrix)).real.max()
-    named = [(ratio, r"\varepsilon", machine.mass_ratio)]
-    named += [(ratio, r"\Omega^2m/k", machine.normalized_frequency_squared)]
-    named += [(squared, r"\Omega^2", rigid), (felt, r"k/\Omega^2", machine.effective_mass)]
-    for question, name, expected in named:
+    *_, ratio, frequency, effective_mass, faster_or_slower, _target = make_questions(machine, "1")
+    squared = np.linalg.eigvals(np.linalg.solve(machine.mass_matrix, machine.stiffness_matrix)).real.max()
+    answers = [
+        (ratio, r"\varepsilon", machine.mass_ratio),
+        (ratio, r"\Omega^2m/k", machine.normalized_frequency_squared),
+        (frequency, r"\Omega^2", squared),
+        (effective_mass, r"k/\Omega^2", machine.effective_mass),
+    ]
+    for question, name, expected in answers:
         assert float(value(question.answer, name)) == pytest.approx(expected, rel=1e-12)
-    ends = [(ratio, 0, machine.mass_ratio), (ratio, 1, machine.normalized_frequency_squared)]
-    ends += [(squared, 0, rigid), (felt, 0, machine.effective_mass), (felt, 1, 3 * machine.m + 2 * machine.m_prime)]
-    ends += [(parting, 0, machine.normalized_frequency_squared**0.5)]
-    for question, line, expected in ends:
+    lines = [
+        (ratio, 0, machine.mass_ratio),
+        (ratio, 1, machine.normalized_frequency_squared),
+        (frequency, 0, squared),
+        (effective_mass, 0, machine.effective_mass),
+        (effective_mass, 1, 3 * machine.m + 2 * machine.m_prime),
+        (faster_or_slower, 0, machine.normalized_frequency_squared**0.5),
+    ]
+    for question, line, expected in lines:
         assert float(number_of(question.working[line].rsplit("=", 1)[1])) == pytest.approx(expected, rel=1e-12)
     # The period is rounded.
-    period = 2 * np.pi / np.sqrt(rigid)
-    assert float(number_of(squared.working[1].rsplit("=", 1)[1])) == pytest.approx(period, rel=1e-4)
-    assert float(re.search(r"period is ([\d.]+)\u202fs", squared.answer)[1]) == pytest.approx(period, rel=5e-4)
+    period = 2 * np.pi / np.sqrt(squared)
+    assert float(number_of(frequency.working[1].rsplit("=", 1)[1])) == pytest.approx(period, rel=1e-4)
+    assert float(re.search(r"period is ([\d.]+)\u202fs", frequency.answer)[1]) == pytest.approx(period, rel=5e-4)
     exact = Fraction(repr(machine.m_prime / machine.m))
     faster = 0 if machine.mass_ratio == UNIT_MASS_RATIO else 24 - exact - 18 * exact**2
-    assert parting.answer.startswith("Neither" if faster == 0 else "Faster" if faster > 0 else "Slower")
+    assert faster_or_slower.answer.startswith("Neither" if faster == 0 else "Faster" if faster > 0 else "Slower")
 
 
 def test_only_exact_decimals_have_an_equals_sign():
@@ -79,13 +87,13 @@ def test_the_key_names_the_faster_machine_near_the_unit_ratio(m_prime, verdict):
     assert float(mantissa) * 10**power == pytest.approx(periods, rel=6e-3)
 
 
-def test_on_paper_a_question_needs_no_other():
+def test_no_question_refers_to_an_earlier_stop():
     """A sheet contains four stops, so no question may refer to an earlier stop."""
     for stop in lesson.STOPS:
         assert not re.search(r"\b(again|so far|as before|earlier)\b|^Now\b", stop.question, re.IGNORECASE), stop.id
 
 
-TELLS = {
+REVEALING_WORDS = {
     "two-clocks": r"equal masses the machine is|machine is a little (faster|slower)|light ones of|heavy ones of",
     "light-rollers": r"heavy ones of|rollers five times as heavy|heavier the",
     "heavy-rollers": r"light ones of|rollers five times as heavy|heavier the",
@@ -107,41 +115,59 @@ def test_no_question_answers_another():
     """Check the sentences and options of all questions on three hundred sheets."""
     stops = {stop.question: stop.id for stop in lesson.STOPS}
     for seed in range(300):
-        posed = make_questions(Oscillator(), str(seed))
-        for question in posed:
-            tells = TELLS.get(stops.get(question.text))
-            others = " ".join(" ".join((each.text, *each.options)) for each in posed if each is not question)
-            assert not (tells and re.search(tells, others)), (seed, question.text)
+        questions = make_questions(Oscillator(), str(seed))
+        for question in questions:
+            pattern = REVEALING_WORDS.get(stops.get(question.text))
+            others = [other for other in questions if other is not question]
+            texts = " ".join(" ".join((other.text, *other.options)) for other in others)
+            assert not (pattern and re.search(pattern, texts)), (seed, question.text)
 
 
-def test_the_derivation_leads_less_from_level_to_level_and_its_key_is_whole():
+@pytest.fixture(scope="module")
+def levels() -> tuple[list[WorksheetQuestion], ...]:
+    """The questions without options of a sheet, for each level."""
+    sheets = (make_questions(Oscillator(), "1", level) for level in (1, 2, 3))
+    return tuple([question for question in sheet if not question.options] for sheet in sheets)
+
+
+CALCULATIONS = 5
+"""Number of calculations after the steps of the derivation."""
+
+
+def test_a_higher_level_leaves_more_of_the_derivation_blank(levels):
     """Level 1 has one gap in a step, level 2 one in each equation, and level 3 no equations. The answers are equal."""
-    few, many, none = ([q for q in make_questions(Oscillator(), "1", level) if not q.options] for level in (1, 2, 3))
-    steps = len(few) - 5
-    assert steps >= 5
-    for a, b, c in zip(few[:steps], many, none, strict=False):
-        assert a.answer == b.answer == c.answer
-        whole = a.answer.count("$$") // 2
-        assert a.blanks.count("ldots") == 1 <= b.blanks.count("ldots") == whole
-        assert not c.blanks
+    easy, medium, hard = (sheet[:-CALCULATIONS] for sheet in levels)
+    assert len(easy) >= 5
+    for first, second, third in zip(easy, medium, hard, strict=True):
+        assert first.answer == second.answer == third.answer
+        equations = first.answer.count("$$") // 2
+        assert first.blanks.count("ldots") == 1
+        assert second.blanks.count("ldots") == equations >= 1
+        assert not third.blanks
         # The text does not contain the equation that the student must fill in.
-        last = a.answer.rsplit("$$", 2)[1]
-        assert last not in a.text + a.blanks
-        assert last not in b.text + b.blanks
-    # A longer answer gets more lines and more points.
-    for question in none[:steps]:
-        assert 0 <= question.space - len(question.answer) / 90 <= 2
-    for question in none:
-        assert question.points == question.space // 2
-    assert sum(question.space for question in few) < sum(question.space for question in many)
-    for sheet in (few, many, none):
+        missing = first.answer.rsplit("$$", 2)[1]
+        assert missing not in first.text + first.blanks
+        assert missing not in second.text + second.blanks
+    for sheet in levels:
         assert "$U$ as a function of the compression $x$ first, then of $\\varphi$" in sheet[2].text
-    # The last step ends in Ω². Evaluate it for masses that occur in no step.
+
+
+def test_a_longer_answer_has_more_lines_and_points(levels):
+    easy, medium, hard = levels
+    for question in hard[:-CALCULATIONS]:
+        assert 0 <= question.space - len(question.answer) / 90 <= 2
+    for question in hard:
+        assert question.points == question.space // 2
+    assert sum(question.space for question in easy) < sum(question.space for question in medium)
+
+
+def test_the_key_of_the_derivation_ends_in_the_frequency(levels):
+    """Evaluate Ω² for masses that occur in no step."""
+    last_step = levels[0][-CALCULATIONS - 1]
     m, m_prime, k = 1.3, 0.7, 21.0
-    right = few[steps - 1].answer.rsplit("=", 1)[1].removesuffix("}$$")
-    assert float(number_of(right, **{"m'": m_prime, "m": m, "k": k})) == pytest.approx(
-        Oscillator(m, m_prime, k).natural_frequency_squared, rel=1e-12
-    )
+    right = last_step.answer.rsplit("=", 1)[1].removesuffix("}$$")
+    expected = Oscillator(m, m_prime, k).natural_frequency_squared
+    assert float(number_of(right, **{"m'": m_prime, "m": m, "k": k})) == pytest.approx(expected, rel=1e-12)
 
 
 SPACES = """
@@ -155,16 +181,17 @@ print([[question.space for question in sheet] for sheet in sheets])
 def test_points_and_lines_are_the_same_in_every_language_and_for_every_machine():
     sheets = set()
     for language in ("en", "pseudo"):  # the pseudo-language has longer words
-        spoken = os.environ | {"RAMANUJAN_LANGUAGE": language}
-        done = subprocess.run([sys.executable, "-c", SPACES], cwd=ROOT, env=spoken, capture_output=True, check=True)
-        sheets.add(done.stdout)
+        environment = os.environ | {"RAMANUJAN_LANGUAGE": language}
+        command = [sys.executable, "-c", SPACES]
+        result = subprocess.run(command, cwd=ROOT, env=environment, capture_output=True, check=True)
+        sheets.add(result.stdout)
     (spaces,) = map(literal_eval, map(bytes.decode, sheets))
-    machines = 2 * len(MACHINES)
-    for level in range(3):
-        assert len(set(map(tuple, spaces[level * machines : (level + 1) * machines]))) == 1
+    sheets_of_level = 2 * len(MACHINES)
+    for start in range(0, len(spaces), sheets_of_level):
+        assert len(set(map(tuple, spaces[start : start + sheets_of_level]))) == 1
     # The calculations with the longest numbers fit their lines.
     for machine in MACHINES:
-        for question in make_questions(machine, "1")[-5:]:
+        for question in make_questions(machine, "1")[-CALCULATIONS:]:
             assert question.space >= sum(map(len, (*question.working, question.answer))) / 90
 
 
@@ -215,7 +242,7 @@ def test_a_seed_determines_the_worksheet():
 def test_the_picture_is_to_scale(radius):
     """Compare a roller's diameter and the compression of the spring with the machine."""
     root = ET.fromstring(draw_svg(Oscillator(radius=radius), 0.08, theme.paper_colors()))
-    paths = {each.get("data-body"): each.get("d") for each in root.iter("{http://www.w3.org/2000/svg}path")}
+    paths = {path.get("data-body"): path.get("d") for path in root.iter("{http://www.w3.org/2000/svg}path")}
     assert {"block", "hoop", "cylinder", "slab", "top"} <= paths.keys()
     down = [float(curve.split()[-1]) for curve in paths["top"].strip("z").split("c")[1:]]
     assert down[0] + down[1] == pytest.approx(-down[2] - down[3]) == pytest.approx(200 * radius)
@@ -244,11 +271,10 @@ def sheet(**query: str) -> AppTest:
 
 def test_questions_show_no_answer_and_the_key_shows_all():
     name = name_of(5)
-    posed = make_questions(Oscillator(k=10.0), name)
-    blank = "\n".join(each.value for each in sheet(seed=name).markdown)
+    blank = "\n".join(text.value for text in sheet(seed=name).markdown)
     app = sheet(seed=name, paper="key", key=key_of(5))
-    key = "\n".join(each.value for each in app.markdown)
-    for question in posed:
+    key = "\n".join(text.value for text in app.markdown)
+    for question in make_questions(Oscillator(k=10.0), name):
         assert question.text in blank
         assert question.blanks in blank
         assert question.text in key
@@ -260,20 +286,21 @@ def test_questions_show_no_answer_and_the_key_shows_all():
     typed = f" {name_of(6)[:5].lower()}-{name_of(6)[5:]}"
     other = app.text_input(key="worksheet_name").set_value(typed).run()
     assert other.query_params["seed"] == name_of(6)
-    for each in (other, sheet(seed=name, paper="key"), sheet(seed=name, paper="key", key=key_of(6))):
-        assert each.title[0].value.startswith("Ramanujan’s oscillator: worksheet")
-        assert "paper" not in {chips.key for chips in each.button_group}
+    without_key, with_wrong_key = sheet(seed=name, paper="key"), sheet(seed=name, paper="key", key=key_of(6))
+    for closed in (other, without_key, with_wrong_key):
+        assert closed.title[0].value.startswith("Ramanujan’s oscillator: worksheet")
+        assert "paper" not in {chips.key for chips in closed.button_group}
 
 
 def test_the_author_of_a_worksheet_has_its_key():
     app = sheet()
-    (make,) = (each for each in app.button if each.label == "New worksheet with its key")
-    made = make.click().run()
-    name, key = made.query_params["seed"], made.query_params["key"]
+    [new_worksheet] = [button for button in app.button if button.label == "New worksheet with its key"]
+    author = new_worksheet.click().run()
+    name, key = author.query_params["seed"], author.query_params["key"]
     assert worksheet_keys.name(key) == name
-    written = f"{name[:5]} {name[5:]}"
-    assert made.title[0].value == f"Ramanujan’s oscillator: worksheet {written}"
-    assert sheet(seed=name, paper="key", key=key).title[0].value == f"Ramanujan’s oscillator: key {written}"
+    spaced_name = f"{name[:5]} {name[5:]}"
+    assert author.title[0].value == f"Ramanujan’s oscillator: worksheet {spaced_name}"
+    assert sheet(seed=name, paper="key", key=key).title[0].value == f"Ramanujan’s oscillator: key {spaced_name}"
     assert "key" in address.PRIVATE
 
 
@@ -281,7 +308,7 @@ def test_an_invalid_name_gets_a_sentence_and_preserves_the_worksheet():
     app = sheet(seed=name_of(5))
     app.text_input(key="worksheet_name").set_value("<b>1729</b>").run()
     assert app.query_params["seed"] == name_of(5)
-    assert [each.value for each in app.warning] == [
+    assert [warning.value for warning in app.warning] == [
         "A worksheet’s name has ten letters, all from BCDFHJKLMNPRSTWXZ. The old name was kept."
     ]
 
@@ -299,5 +326,6 @@ def test_a_name_does_not_reveal_its_key():
 
 
 def test_the_key_calculates_with_the_typed_masses():
-    (first, *_others) = [each for each in make_questions(Oscillator(1.56, 1.08, 7.5), "1") if each.working]
-    assert first.working[0] == r"\varepsilon=\frac{m'}{m}=\frac{1.08}{1.56}=\frac{9}{13}"
+    questions = make_questions(Oscillator(1.56, 1.08, 7.5), "1")
+    calculations = [question for question in questions if question.working]
+    assert calculations[0].working[0] == r"\varepsilon=\frac{m'}{m}=\frac{1.08}{1.56}=\frac{9}{13}"
