@@ -8,7 +8,8 @@ import os
 import random
 import re
 from collections.abc import Iterator
-from functools import cache, partial
+from dataclasses import dataclass
+from functools import cache, cached_property, partial
 
 import mpmath
 import numpy as np
@@ -60,9 +61,159 @@ def machines() -> list[Masses]:
 # The exact motion
 
 
+@dataclass(frozen=True)
+class Moment:
+    """A machine at one moment of its motion.
+
+    Parameters
+    ----------
+    mass, roller, stiffness, R : m, m′ [kg], k [N/m], R [m]
+    q, q_dot : coordinates X, φ, Φ and their rates
+    """
+
+    mass: mpmath.mpf
+    roller: mpmath.mpf
+    stiffness: mpmath.mpf
+    R: mpmath.mpf
+    q: mpmath.matrix
+    q_dot: mpmath.matrix
+
+    @cached_property
+    def M(self) -> mpmath.matrix:
+        return mass_matrix(self.mass, self.roller, self.R)
+
+    @cached_property
+    def K(self) -> mpmath.matrix:
+        return mpmath.diag([0, 4 * self.stiffness * self.R**2, 0])
+
+    @cached_property
+    def inverse(self) -> mpmath.matrix:
+        return self.M**-1
+
+    @cached_property
+    def q_ddot(self) -> mpmath.matrix:
+        return -self.inverse * self.K * self.q
+
+    @cached_property
+    def frequency_squared(self) -> mpmath.mpf:
+        return self.K[1, 1] * self.inverse[1, 1]
+
+    def right(self, of: mpmath.matrix) -> dict[str, mpmath.mpf]:
+        """Return the displacement of each body to the right, or its derivative, from those of the coordinates."""
+        X, phi, Phi = of
+        R = self.R
+        return {"block": -X, "hoop": R * phi - X, "cylinder": R * phi - X, "slab": 2 * R * phi - X, "top": R * Phi - X}
+
+    def angles(self, of: mpmath.matrix) -> dict[str, mpmath.mpf]:
+        """Return the angle of each roller, or its derivative."""
+        _X, phi, Phi = of
+        return {"hoop": phi, "cylinder": phi, "top": Phi}
+
+
+def mass_matrix(mass: mpmath.mpf, roller: mpmath.mpf, R: mpmath.mpf) -> mpmath.matrix:
+    """Return the mass matrix for the coordinates X, φ, Φ."""
+    return mpmath.matrix(
+        [
+            [3 * mass + 2 * roller, -2 * (mass + roller) * R, -mass * R],
+            [-2 * (mass + roller) * R, (4 * mass + mpmath.mpf("3.5") * roller) * R**2, 0],
+            [-mass * R, 0, mpmath.mpf("1.5") * mass * R**2],
+        ]
+    )
+
+
+def mode_shape(inverse: mpmath.matrix) -> mpmath.matrix:
+    """Return X, φ, Φ of the oscillating mode for φ = 1, from the inverse mass matrix."""
+    return inverse[:, 1] / inverse[1, 1]
+
+
+def random_moment(mass: mpmath.mpf, roller: mpmath.mpf, stiffness: mpmath.mpf, in_mode: bool) -> Moment:
+    """Return a random moment of a machine with a random radius. The parameters are those of `motion`."""
+    source = random.Random(f"{mass}{roller}")
+    R, *state = (mpmath.mpf(source.randint(1, 999)) / source.randint(1, 99) for _ in range(7))
+    if in_mode:
+        shape = mode_shape(mass_matrix(mass, roller, R) ** -1)
+        q, q_dot = shape * state[0], shape * state[3]
+    else:
+        q, q_dot = mpmath.matrix(state[:3]), mpmath.matrix(state[3:])
+    return Moment(mass, roller, stiffness, R, q, q_dot)
+
+
 def of_bodies(letter: str, of: dict[str, mpmath.mpf]) -> dict[str, mpmath.mpf]:
     """Return quantities of bodies by their names in LaTeX."""
     return {rf"{letter}_{{\text{{{name}}}}}": value for name, value in of.items()}
+
+
+def values_of_coordinates(moment: Moment) -> dict[str, Number]:
+    """Return coordinates, momenta and their derivatives."""
+    p, p_dot = moment.M * moment.q_dot, moment.M * moment.q_ddot
+    values = {}
+    for place, letter in enumerate(("X", r"\varphi", r"\Phi")):
+        values[letter] = moment.q[place]
+        values[rf"\dot{{{letter}}}"] = moment.q_dot[place]
+        values[rf"\ddot{{{letter}}}"] = moment.q_ddot[place]
+        values[f"p_{{{letter}}}"] = p[place]
+        values[rf"\dot{{p}}_{{{letter}}}"] = p_dot[place]
+    values[r"\xi"] = moment.q_dot[0] / (moment.R * moment.q_dot[1])
+    values[r"\eta"] = moment.q_dot[2] / moment.q_dot[1]
+    return values
+
+
+def values_of_bodies(moment: Moment) -> dict[str, Number]:
+    """Return velocities, accelerations, forces and energies."""
+    mass, roller, R = moment.mass, moment.roller, moment.R
+    masses = {"block": mass, "hoop": roller, "cylinder": roller, "slab": mass, "top": mass}
+    inertia = {"hoop": roller * R**2, "cylinder": roller * R**2 / 2, "top": mass * R**2 / 2}
+    v, a = moment.right(moment.q_dot), moment.right(moment.q_ddot)
+    omega, alpha = moment.angles(moment.q_dot), moment.angles(moment.q_ddot)
+    kinetic = {n: (masses[n] * v[n] ** 2 + inertia.get(n, 0) * omega.get(n, 0) ** 2) / 2 for n in masses}
+    compression = 2 * R * moment.q[1]
+    T, U = sum(kinetic.values()), moment.stiffness * compression**2 / 2
+    # The forces on a roller, S at its top and F at its bottom, accelerate it and turn it.
+    S = {n: (masses[n] * a[n] + inertia[n] * alpha[n] / R) / 2 for n in ("hoop", "cylinder")}
+    F = {n: masses[n] * a[n] - S.get(n, 0) for n in inertia}
+    return {
+        **of_bodies("v", v),
+        **of_bodies("a", a),
+        **of_bodies(r"\alpha", alpha),
+        **of_bodies("I", inertia),
+        **of_bodies("T", kinetic),
+        **of_bodies("S", S),
+        **of_bodies("F", F),
+        "x": compression,
+        "T": T,
+        "U": U,
+        r"\mathcal{L}": T - U,
+        r"\mathcal{H}": T + U,
+    }
+
+
+def values_of_machine(moment: Moment) -> dict[str, Number]:
+    """Return parameters, matrices, effective masses and frequencies."""
+    M, squared = moment.M, moment.frequency_squared
+    clamped = M[1, 1] / moment.R**2
+    # H₀ belongs to the two conserved momenta, those of X and Φ.
+    p = M * moment.q_dot
+    conserved, block_and_top = mpmath.matrix([p[0], p[2]]), mpmath.matrix([[M[0, 0], M[0, 2]], [M[2, 0], M[2, 2]]])
+    matrices = {"M": M, "K": moment.K, "M^{-1}": moment.inverse, "v": mode_shape(moment.inverse)}
+    return {
+        r"\varepsilon": moment.roller / moment.mass,
+        r"\varepsilon_{*}": ROOT,
+        "m": moment.mass,
+        "m'": moment.roller,
+        "k": moment.stiffness,
+        "R": moment.R,
+        r"\mathcal{H}_{0}": (conserved.T * block_and_top**-1 * conserved)[0] / 2,
+        r"\Omega^{2}": squared,
+        r"\Omega_{\text{clamped}}^{2}": 4 * moment.stiffness / clamped,
+        "M_{e}": 4 * moment.stiffness / squared,
+        "M_{x}": moment.stiffness / squared,
+        r"M_{\text{clamped}}": clamped,
+        **{name: np.array(matrix.tolist(), dtype=object) for name, matrix in matrices.items()},
+        r"\omega": mpmath.sqrt(squared),
+        r"\omega_{1}": mpmath.mpf(0),
+        r"\omega_{2}": mpmath.mpf(0),
+        r"\omega_{3}": mpmath.sqrt(squared),
+    }
 
 
 @cache
@@ -74,77 +225,8 @@ def motion(mass: mpmath.mpf, roller: mpmath.mpf, stiffness: mpmath.mpf, in_mode:
     mass, roller, stiffness : m, m′ [kg], k [N/m]
     in_mode : whether the motion is purely in the oscillating mode; otherwise the machine also glides and rolls
     """
-    source = random.Random(f"{mass}{roller}")
-    R, *state = (mpmath.mpf(source.randint(1, 999)) / source.randint(1, 99) for _ in range(7))
-    M = mpmath.matrix(
-        [
-            [3 * mass + 2 * roller, -2 * (mass + roller) * R, -mass * R],
-            [-2 * (mass + roller) * R, (4 * mass + mpmath.mpf("3.5") * roller) * R**2, 0],
-            [-mass * R, 0, mpmath.mpf("1.5") * mass * R**2],
-        ]
-    )
-    K = mpmath.diag([0, 4 * stiffness * R**2, 0])
-    inverse = M**-1
-    shape = inverse[:, 1] / inverse[1, 1]
-    squared = K[1, 1] * inverse[1, 1]
-    q, rate = (shape * state[n] if in_mode else mpmath.matrix(state[n : n + 3]) for n in (0, 3))
-    acceleration, p = -inverse * K * q, M * rate
-    half, thirds = mpmath.mpf("0.5"), mpmath.matrix([[M[0, 0], M[0, 2]], [M[2, 0], M[2, 2]]])
-    conserved = mpmath.matrix([p[0], p[2]])
-
-    def along(of: mpmath.matrix) -> dict[str, mpmath.mpf]:
-        """Return displacements, or their derivatives, to the right."""
-        X, phi, Phi = of
-        return {"block": -X, "hoop": R * phi - X, "cylinder": R * phi - X, "slab": 2 * R * phi - X, "top": R * Phi - X}
-
-    def turned(of: mpmath.matrix) -> dict[str, mpmath.mpf]:
-        return {"hoop": of[1], "cylinder": of[1], "top": of[2]}
-
-    masses = {"block": mass, "hoop": roller, "cylinder": roller, "slab": mass, "top": mass}
-    inertia = {"hoop": roller * R**2, "cylinder": roller * R**2 / 2, "top": mass * R**2 / 2}
-    v, a, omega, alpha = along(rate), along(acceleration), turned(rate), turned(acceleration)
-    kinetic = {n: (masses[n] * v[n] ** 2 + inertia.get(n, 0) * omega.get(n, 0) ** 2) / 2 for n in masses}
-    T, U = sum(kinetic.values()), stiffness * (2 * R * q[1]) ** 2 / 2
-    # The forces on a roller, S at its top and F at its bottom, accelerate it and turn it.
-    S = {n: half * (masses[n] * a[n] + inertia[n] * alpha[n] / R) for n in ("hoop", "cylinder")}
-    F = {n: masses[n] * a[n] - S.get(n, 0) for n in inertia}
-    named = {r"\varepsilon": roller / mass, r"\varepsilon_{*}": ROOT, "m": mass, "m'": roller, "k": stiffness, "R": R}
-    letters = ("X", r"\varphi", r"\Phi")
-    for place, letter in enumerate(letters):
-        named |= {letter: q[place], rf"\dot{{{letter}}}": rate[place], rf"\ddot{{{letter}}}": acceleration[place]}
-        named |= {f"p_{{{letter}}}": p[place], rf"\dot{{p}}_{{{letter}}}": (M * acceleration)[place]}
-    clamped = M[1, 1] / R**2
-    named |= {
-        **of_bodies("v", v),
-        **of_bodies("a", a),
-        **of_bodies(r"\alpha", alpha),
-        **of_bodies("I", inertia),
-        **of_bodies("T", kinetic),
-        **of_bodies("S", S),
-        **of_bodies("F", F),
-        "x": 2 * R * q[1],
-        "T": T,
-        "U": U,
-        r"\mathcal{L}": T - U,
-        r"\mathcal{H}": T + U,
-        r"\mathcal{H}_{0}": (conserved.T * thirds**-1 * conserved)[0] / 2,
-        r"\Omega^{2}": squared,
-        r"\Omega_{\text{clamped}}^{2}": 4 * stiffness / clamped,
-        "M_{e}": 4 * stiffness / squared,
-        "M_{x}": stiffness / squared,
-        r"M_{\text{clamped}}": clamped,
-        r"\xi": rate[0] / (R * rate[1]),
-        r"\eta": rate[2] / rate[1],
-        **{
-            name: np.array(of.tolist(), dtype=object)
-            for name, of in (("M", M), ("K", K), ("M^{-1}", inverse), ("v", shape))
-        },
-        r"\omega": mpmath.sqrt(squared),
-        r"\omega_{1}": mpmath.mpf(0),
-        r"\omega_{2}": mpmath.mpf(0),
-        r"\omega_{3}": mpmath.sqrt(squared),
-    }
-    return named
+    moment = random_moment(mass, roller, stiffness, in_mode)
+    return {**values_of_coordinates(moment), **values_of_bodies(moment), **values_of_machine(moment)}
 
 
 def motions(name: str, key: str, equal_masses: bool, given: Masses) -> Iterator[dict[str, Number]]:
@@ -162,14 +244,17 @@ def motions(name: str, key: str, equal_masses: bool, given: Masses) -> Iterator[
 def holds(line: str, known: dict[str, Number]) -> bool:
     """Return whether both sides of an equation agree to fifty digits, and its decimal with its right side."""
     left, right, decimal, is_exact = sides(line)
-    stated, computed = (formula(side) for side in (left, right))
-    one, other = stated.value(known), computed.value(known)
-    digits = mpmath.mpf("1e-50")
-    allowed = digits + abs(other) * digits + stated.cut_off(known) + computed.cut_off(known)
-    if not np.all(abs(one - other) <= allowed):
+    left_formula, right_formula = formula(left), formula(right)
+    left_value, right_value = left_formula.value(known), right_formula.value(known)
+    tolerance = mpmath.mpf("1e-50")
+    allowed = tolerance * (1 + abs(right_value)) + left_formula.cut_off(known) + right_formula.cut_off(known)
+    if not np.all(abs(left_value - right_value) <= allowed):
         return False
-    written = formula(decimal or "0").value({})
-    return not decimal or bool(abs(written - other) <= last_place(decimal) * (digits if is_exact else digits + 0.5))
+    if not decimal:
+        return True
+    decimal_value = formula(decimal).value({})
+    half_a_digit = mpmath.mpf(0 if is_exact else 0.5)
+    return bool(abs(decimal_value - right_value) <= last_place(decimal) * (tolerance + half_a_digit))
 
 
 @pytest.fixture(autouse=True)
@@ -235,7 +320,8 @@ def displayed(given: Masses | None) -> Iterator[tuple[str, str, bool, str]]:
 def plain(display: str) -> str:
     """Return the LaTeX of a display without colours."""
     text = display
-    while (start := text.find(r"\textcolor{")) >= 0:
+    while r"\textcolor{" in text:
+        start = text.index(r"\textcolor{")
         begin = place = text.index("}{", start) + 2
         depth = 1
         while depth:
@@ -320,14 +406,17 @@ def test_only_the_root_is_called_in_step():
 
 @pytest.mark.parametrize("name", ROUTES)
 def test_every_symbol_of_a_route_is_in_its_list(name):
-    listed = "\n".join(nomenclature(ROUTES[name]))
+    listed = "\n".join(nomenclature(ROUTES[name])).splitlines()
     for masses in (None, (1.85, 0.86, 33.5)):
         for step in ROUTES[name].steps:
-            for shown_row in make_rows(step, Numbers(*masses) if masses else None):
-                for side in sides(shown_row.latex)[:2]:
-                    for symbol in Formula(side).names:
-                        # The list contains only the letter of a momentum, a mass matrix or a body’s quantity.
-                        plain = re.sub(r"\\d?dot\{(\\?\w+)\}", r"\1", symbol.removesuffix("^{-1}"))
-                        plain = re.sub(r"\\text\{(block|hoop|cylinder|slab|top)\}", r"\\text{body}", plain)
-                        plain = re.sub(r"\\omega_\{\d\}", r"\\omega", plain)
-                        assert plain in listed.splitlines(), (step.key, symbol)
+            for row in make_rows(step, Numbers(*masses) if masses else None):
+                left, right, *_decimal = sides(row.latex)
+                for symbol in Formula(left).names + Formula(right).names:
+                    assert letter_of(symbol) in listed, (step.key, symbol)
+
+
+def letter_of(symbol: str) -> str:
+    """Return the symbol that the list contains: the letter of a derivative, an inverse or a body's quantity."""
+    letter = re.sub(r"\\d?dot\{(\\?\w+)\}", r"\1", symbol.removesuffix("^{-1}"))
+    letter = re.sub(r"\\text\{(block|hoop|cylinder|slab|top)\}", r"\\text{body}", letter)
+    return re.sub(r"\\omega_\{\d\}", r"\\omega", letter)
