@@ -217,13 +217,14 @@ def _iterate(step: Step, acceleration: Acceleration, q: Runs, v: Runs, h: Runs) 
 
 def _cache_last(acceleration: Acceleration) -> Acceleration:
     """Return a function that caches the last acceleration, and reuses it if it is called with the same object q."""
-    last: tuple[Runs, Runs] | None = None
+    last_q: Runs | None = None
+    last_acceleration: Runs | None = None
 
     def cached_acceleration(q: Runs) -> Runs:
-        nonlocal last
-        if last is None or q is not last[0]:
-            last = q, acceleration(q)
-        return last[1]
+        nonlocal last_q, last_acceleration
+        if last_acceleration is None or q is not last_q:
+            last_q, last_acceleration = q, acceleration(q)
+        return last_acceleration
 
     return cached_acceleration
 

@@ -97,14 +97,16 @@ def pytest_configure_node(node: object) -> None:
 
 def pytest_unconfigure(config: pytest.Config) -> None:
     """Stop the shared app."""
-    if app := config.stash.get(_APP, None):
+    app = config.stash.get(_APP, None)
+    if app:
         app.__exit__()
 
 
 @pytest.fixture(scope="session")
 def server(pytestconfig: pytest.Config) -> Iterator[str]:
     """The address of the running app."""
-    if shared := getattr(pytestconfig, "workerinput", {}).get("server"):
+    shared = getattr(pytestconfig, "workerinput", {}).get("server")
+    if shared:
         yield wait_for_start(shared)
         return
     with running(ROOT / "app.py") as address:

@@ -251,9 +251,12 @@ def outcome_with(mutation: Mutation, folder: Path) -> str:
 
 def main(words: list[str]) -> int:
     """Print the outcome of every mutation. Return the number of mutations that no test noticed."""
-    chosen = [mutation for mutation in MUTATIONS if not words or any(word in mutation.name for word in words)]
-    if (before := outcome(ROOT, " or ".join({mutation.tests for mutation in chosen}))) != "passed":
-        print(f"Without a mutation: {before}")
+    chosen = list(MUTATIONS)
+    if words:
+        chosen = [mutation for mutation in MUTATIONS if any(word in mutation.name for word in words)]
+    without_mutation = outcome(ROOT, " or ".join({mutation.tests for mutation in chosen}))
+    if without_mutation != "passed":
+        print(f"Without a mutation: {without_mutation}")
         return 1
     survivors = 0
     for mutation in chosen:

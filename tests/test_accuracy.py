@@ -85,14 +85,15 @@ def fewest_steps(machine, method, periods, tolerance):
 @pytest.mark.parametrize(("periods", "tolerance"), [(10, 0.01), (10, 1e-7), (1, 1e-4)])
 def test_no_other_whole_number_of_steps_is_cheaper(periods, tolerance):
     machine = Oscillator(k=10.0)
-    fewest = {method: n for method in METHODS if (n := fewest_steps(machine, method, periods, tolerance))}
+    fewest = {method: fewest_steps(machine, method, periods, tolerance) for method in METHODS}
+    fewest = {method: steps for method, steps in fewest.items() if steps}
     choices = cheapest([work_precision(method, periods=periods) for method in METHODS], tolerance)
     assert {choice.method: choice.steps_per_period for choice in choices} == fewest
-    costs = {method: counted(method, n * periods) for method, n in fewest.items()}
+    costs = {method: count_calls(method, steps * periods) for method, steps in fewest.items()}
     assert (choices[0].method, choices[0].evaluations) == min(costs.items(), key=lambda cost: cost[1])
 
 
-def counted(method, steps):
+def count_calls(method, steps):
     """Return the number of calls of the acceleration in a run."""
     calls = []
     states = trajectory(METHODS[method], lambda q: calls.append(q) or -q, 1.0, 0.0, 0.1)
@@ -103,10 +104,10 @@ def counted(method, steps):
 @pytest.mark.parametrize("method", METHODS)
 def test_evaluations_are_those_of_a_whole_run(method):
     assert work_precision(method, periods=5, steps_per_period=[7, 60]).evaluations.tolist() == [
-        counted(method, 35),
-        counted(method, 300),
+        count_calls(method, 35),
+        count_calls(method, 300),
     ]
-    assert error_history(method, 60, 5).evaluations == counted(method, 300)
+    assert error_history(method, 60, 5).evaluations == count_calls(method, 300)
 
 
 @pytest.mark.parametrize("method", METHODS)

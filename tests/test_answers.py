@@ -198,18 +198,18 @@ def test_right_answer_is_accepted_in_many_spellings(name, text):
     assert judge(name, text).kind == "right"
 
 
-@pytest.mark.parametrize(("name", "text", "said"), UNSIMPLIFIED)
-def test_unsimplified_answer_is_recognized(name, text, said):
+@pytest.mark.parametrize(("name", "text", "words"), UNSIMPLIFIED)
+def test_unsimplified_answer_is_recognized(name, text, words):
     verdict = judge(name, text)
     assert verdict.kind == "unsimplified"
-    assert said in verdict.message
+    assert words in verdict.message
 
 
-@pytest.mark.parametrize(("name", "text", "said"), WRONG)
-def test_wrong_answer_names_the_mistake(name, text, said):
+@pytest.mark.parametrize(("name", "text", "words"), WRONG)
+def test_wrong_answer_names_the_mistake(name, text, words):
     verdict = judge(name, text)
     assert verdict.kind == "wrong"
-    assert said in verdict.message
+    assert words in verdict.message
 
 
 @settings(deadline=None, max_examples=60)
@@ -244,12 +244,12 @@ def test_a_right_answer_to_one_question_is_wrong_for_the_others(name):
 
 @pytest.mark.parametrize("name", QUESTIONS)
 def test_the_example_has_the_right_unit_and_is_not_the_answer(name):
-    posed = find_question(name)
-    assert judge(name, posed.example).kind == "wrong"
-    example, right = (zero_on_the_right(text) for text in (posed.example, RIGHT[name][0]))
+    question = find_question(name)
+    assert judge(name, question.example).kind == "wrong"
+    example, right = (zero_on_the_right(text) for text in (question.example, RIGHT[name][0]))
     assert find_unit(parse(example)) == find_unit(parse(right))
-    assert posed.prompt().endswith("?")
-    assert posed.prompt().count("$") % 2 == 0
+    assert question.prompt().endswith("?")
+    assert question.prompt().count("$") % 2 == 0
 
 
 @pytest.mark.parametrize("name", ["", "Ω", None, ["a"], 3])
@@ -264,10 +264,11 @@ def test_non_text_and_unused_letters_are_unreadable(text):
 
 @pytest.mark.parametrize("name", QUESTIONS)
 def test_question_accepts_only_its_listed_letters_and_names_them(name):
-    listed = find_question(name).accepted_names
-    for letter in (*listed, *TEXTBOOK):
-        assert (judge(name, letter).kind == "unreadable") == (letter not in listed)
-    assert all(each in judge(name, "y").message for each in ("“y” is not known", *listed))
+    accepted_names = find_question(name).accepted_names
+    for letter in (*accepted_names, *TEXTBOOK):
+        assert (judge(name, letter).kind == "unreadable") == (letter not in accepted_names)
+    message = judge(name, "y").message
+    assert all(words in message for words in ("“y” is not known", *accepted_names))
 
 
 def test_one_entry_adds_a_question(monkeypatch):
@@ -435,21 +436,21 @@ def test_mistakes_about_bodies_change_the_machine_and_end_in_a_question():
 @pytest.mark.parametrize("name", QUESTIONS)
 def test_each_result_has_one_mistake(name):
     """Slips have different results. If two confusions of bodies have the same result, the judge names neither."""
-    it = find_question(name)
-    for known in (it.values_of_slips, it.values_of_wrong_bodies):
-        for (one, first), (other, second) in combinations(known, 2):
-            assert not agree(first, second), (one, other)
-    results = [(each.mistake, it.of_machine(each.machine)) for each in machines.altered_machines()]
-    values_of_mistakes = [(mistake, it.evaluate(result)) for mistake, result in results if result not in (None, 0)]
-    for hint, values in it.values_of_wrong_bodies:
-        kinds = {mistake.id for mistake, others in values_of_mistakes if agree(values, others)}
+    question = find_question(name)
+    for mistakes_with_values in (question.values_of_slips, question.values_of_wrong_bodies):
+        for (first_hint, first), (second_hint, second) in combinations(mistakes_with_values, 2):
+            assert not agree(first, second), (first_hint, second_hint)
+    results = [(altered.mistake, question.of_machine(altered.machine)) for altered in machines.altered_machines()]
+    with_values = [(mistake, question.evaluate(result)) for mistake, result in results if result not in (None, 0)]
+    for hint, values in question.values_of_wrong_bodies:
+        kinds = {mistake.id for mistake, wrong_values in with_values if agree(values, wrong_values)}
         assert len(kinds) == 1 or "other moments of inertia" in hint, (hint, kinds)
 
 
 # Arbitrary input
 
 
-def _judged(name, text):
+def judge_any_text(name, text):
     started = time.process_time()
     verdict = judge(name, text)
     with suppress(UnreadableError):
@@ -468,7 +469,7 @@ def _judged(name, text):
 @pytest.mark.parametrize("text", HOSTILE, ids=lambda text: ascii(text[:20]))
 def test_hostile_text_gets_a_sentence(text):
     for name in QUESTIONS:
-        assert _judged(name, text) in ("wrong", "unreadable")
+        assert judge_any_text(name, text) in ("wrong", "unreadable")
 
 
 _PIECES = [
@@ -500,14 +501,14 @@ _WELL_FORMED = st.recursive(
 @settings(deadline=None, max_examples=EXAMPLES)
 @given(st.sampled_from(QUESTIONS), st.lists(st.sampled_from(_PIECES), max_size=30).map("".join) | st.text(max_size=40))
 def test_random_tokens_get_a_verdict(name, text):
-    _judged(name, text)
+    judge_any_text(name, text)
 
 
 @settings(deadline=None, max_examples=EXAMPLES)
 @given(st.sampled_from(QUESTIONS), _WELL_FORMED)
 @example(OMEGA, "(m+k)^" + str(MAX_WEIGHT))
 def test_any_formula_gets_a_verdict(name, text):
-    _judged(name, text)
+    judge_any_text(name, text)
 
 
 def test_no_hint_is_given_for_a_plain_number():

@@ -3,12 +3,13 @@
 import io
 import json
 import re
+from pathlib import Path
 from xml.etree import ElementTree
 
 import numpy as np
 import pytest
 from PIL import Image, ImageColor
-from playwright.sync_api import expect
+from playwright.sync_api import Page, expect
 
 from ramanujan.shell.theme import BODY_COLORS
 from tests.browser import STAGE, inside, module, next_frame, script, settle, traffic
@@ -193,40 +194,42 @@ def check_keys(page):
     assert "0.50 periods" in scrub.get_attribute("aria-valuetext")
 
 
-def test_the_stage_is_operated_by_keys_and_saved_as_svg_png_and_tikz(visit, tmp_path):
-    """The downloaded files are complete, self-contained, in the light theme, and not empty."""
-    page = visit(theme="dark")
-    check_stage_without_data(page)
-    check_keys(page)
-    page.get_by_role("button", name="Steps, speed, view").click()
-    page.get_by_role("button", name="Step forward").click()
-    page.get_by_role("checkbox", name="Forces").check()
-    next_frame(page)
+def save_stage(page: Page, folder: Path) -> dict[str, bytes]:
+    """Download the picture of the stage in each format. Return file suffix → content."""
     files = {}
     for label in ("SVG", "PNG", "TikZ"):
         with page.expect_download() as download:
             page.get_by_role("button", name=label, exact=True).click()
-        name = download.value.suggested_filename
-        download.value.save_as(tmp_path / name)
-        files[name.partition(".")[2]] = (tmp_path / name).read_bytes()
-    root = ElementTree.fromstring(files["svg"])
-    box = [float(number) for number in root.get("viewBox").split()]
-    assert box[2] == pytest.approx(2 * box[3], rel=1e-6)
-    assert all(word not in files["svg"].decode() for word in ("var(", "--", "class=", "http://127", "<script"))
-    assert not re.search(rb"url\((?!&quot;#|#|\"#)", files["svg"])
+        file = folder / download.value.suggested_filename
+        download.value.save_as(file)
+        files[file.name.partition(".")[2]] = file.read_bytes()
+    return files
+
+
+def check_svg(page: Page, svg: bytes) -> None:
+    """Check that the file is self-contained, in the light theme, and has the shapes of the page."""
+    root = ElementTree.fromstring(svg)
+    _left, _top, width, height = (float(number) for number in root.get("viewBox").split())
+    assert width == pytest.approx(2 * height, rel=1e-6)
+    assert all(word not in svg.decode() for word in ("var(", "--", "class=", "http://127", "<script"))
+    assert not re.search(rb"url\((?!&quot;#|#|\"#)", svg)
     painted = {node.get(kind) for node in root.iter() for kind in ("fill", "stroke")}
     for colour in BODY_COLORS.values():
         assert "rgb({}, {}, {})".format(*rgb(THEME["light"][f"{colour}TextColor"])) in painted
     texts = {"".join(node.itertext()) for node in root.iter("{http://www.w3.org/2000/svg}text")}
     assert {"m", "m′", "k"} <= texts
-    # The shapes in the file have the same positions as on the page.
     slab = inside(page, "root.querySelector('.moving .slab').getAttribute('transform')")
-    assert slab in {node.get("transform") for node in root.iter()}
-    image = np.asarray(Image.open(io.BytesIO(files["png"])).convert("RGB"), dtype=int)
+    assert slab in {node.get("transform") for node in root.iter()}, "the slab is where it is on the page"
+
+
+def check_png(png: bytes) -> None:
+    image = np.asarray(Image.open(io.BytesIO(png)).convert("RGB"), dtype=int)
     assert image.shape[:2] == (1200, 2400)
     green = np.array(rgb(THEME["light"]["greenTextColor"]))
     assert (np.abs(image - green).sum(axis=2) < 6).sum() > 500, "the slab's edge is painted"
-    tikz = files["tex"].decode()
+
+
+def check_tikz(tikz: str, folder: Path) -> None:
     assert environments_nest(tikz)
     assert tikz.count("\\begin{tikzpicture}") == tikz.count("\\clip (0pt,0pt)") == 1
     assert tikz.count("svg {") > 15
@@ -237,22 +240,41 @@ def test_the_stage_is_operated_by_keys_and_saved_as_svg_png_and_tikz(visit, tmp_
     if ENGINE:
         document = r"\documentclass{article}\usepackage{tikz}\usetikzlibrary{svg.path}\textwidth=50in\begin{document}%s"
         document += r"\end{document}"
-        assert "Overfull" not in typeset(document % tikz, tmp_path)
-    # Plotly saves figures itself.
+        assert "Overfull" not in typeset(document % tikz, folder)
+
+
+def check_saved_curve(page: Page, folder: Path) -> None:
+    """Check the files of a figure, which Plotly saves itself."""
     page.locator(".st-key-curve .modebar-btn", has_text="PNG").wait_for(state="attached")
     page.locator(".st-key-curve .js-plotly-plot").hover()
     for format in ("SVG", "PNG"):
         with page.expect_download() as download:
             page.locator(".st-key-curve .modebar-btn", has_text=format).click()
         assert download.value.suggested_filename == f"ramanujan-curve.{format.lower()}"
-        download.value.save_as(tmp_path / download.value.suggested_filename)
-    with Image.open(tmp_path / "ramanujan-curve.png") as saved:
+        download.value.save_as(folder / download.value.suggested_filename)
+    with Image.open(folder / "ramanujan-curve.png") as saved:
         assert saved.width > 2000
         assert saved.convert("RGBA").getpixel((0, 0)) == (*ImageColor.getrgb(THEME["dark"]["backgroundColor"]), 255)
-    figure = (tmp_path / "ramanujan-curve.svg").read_text(encoding="utf-8")
+    figure = (folder / "ramanujan-curve.svg").read_text(encoding="utf-8")
     assert ElementTree.fromstring(figure).get("viewBox")
     assert set(re.findall(r"https?://[^\"')]+", figure)) <= {
         "http://www.w3.org/1999/xlink",
         "http://www.w3.org/2000/svg",
     }
     assert "equal masses" in figure
+
+
+def test_the_stage_is_operated_by_keys_and_saved_as_svg_png_and_tikz(visit, tmp_path):
+    """The downloaded files are complete, self-contained, in the light theme, and not empty."""
+    page = visit(theme="dark")
+    check_stage_without_data(page)
+    check_keys(page)
+    page.get_by_role("button", name="Steps, speed, view").click()
+    page.get_by_role("button", name="Step forward").click()
+    page.get_by_role("checkbox", name="Forces").check()
+    next_frame(page)
+    files = save_stage(page, tmp_path)
+    check_svg(page, files["svg"])
+    check_png(files["png"])
+    check_tikz(files["tex"].decode(), tmp_path)
+    check_saved_curve(page, tmp_path)

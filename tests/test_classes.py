@@ -88,10 +88,10 @@ def answer_as(
     """Join, answer and change answers as some students, in another process. With `insists`, retry failed attempts."""
     school, chance = classes.Classes(place, Clock()), random.Random(students.start)
 
-    def act(what: Callable, *values: object) -> object:
+    def act(action: Callable, *values: object) -> object:
         while True:
             with suppress(*[ClassError] if insists else []):
-                return what(*values)
+                return action(*values)
             time.sleep(0.05)
 
     seats = [act(school.join, code, "", f"10.0.0.{student}") for student in students]
@@ -218,7 +218,8 @@ def test_first_and_second_vote_are_compared_student_by_student(school, opened):
     seats = [school.join(opened.code) for _ in votes]
     for number in (1, 2):
         for seat, options in zip(seats, votes, strict=True):
-            if option := options[number - 1]:
+            option = options[number - 1]
+            if option:
                 school.vote(seat, "faster", option, Vote(1, number))
         school.ask_again(opened.key) if number == 1 else school.show(opened.key, Phase.REVEALED)
     assert school.read_distribution(opened.code, "faster", FIRST) == {"machine": 2, "plain": 4, "neither": 2}
@@ -549,9 +550,9 @@ def test_lecturer_gets_a_class_during_a_flood_of_openings(school, opened, clock)
     assert left(school)["class"] == CLASSES
     # The oldest classes without students have been deleted, including the lecturer's.
     assert school.find_code(flood[-1].key)
-    for gone in (lecture, flood[0]):
+    for deleted in (lecture, flood[0]):
         with pytest.raises(ClassError, match="belongs to no class"):
-            school.find_code(gone.key)
+            school.find_code(deleted.key)
     again = school.open_class(address="10.9.0.1")
     assert school.join(again.code)
     assert school.find_code(opened.key)

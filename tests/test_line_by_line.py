@@ -37,9 +37,9 @@ def known(group: list[sp.Eq]) -> dict[sp.Basic, sp.Basic]:
     return {relation.lhs: relation.rhs for relation in group}
 
 
-def same_zero(one: sp.Eq, other: sp.Eq) -> sp.Expr:
+def same_zero(first: sp.Eq, second: sp.Eq) -> sp.Expr:
     """Return an expression that vanishes if two equations differ by a factor independent of the motion."""
-    ratio = sp.cancel(difference(one) / difference(other))
+    ratio = sp.cancel(difference(first) / difference(second))
     return ratio.diff(X_ddot) + ratio.diff(phi_ddot) + ratio.diff(Phi_ddot) + ratio.diff(phi)
 
 
@@ -53,12 +53,14 @@ def lagrangian(at: Lines) -> list[sp.Expr]:
 
 def rates(at: Lines) -> list[sp.Expr]:
     (function,), of = at("lagrangian"), known(at("momenta"))
-    found = zip(at("rates"), MOMENTA, COORDINATES, strict=True)
-    return [part for e, p, q in found for part in (e.lhs - of[p].diff(t), e.rhs - function.rhs.diff(q))]
+    differences = []
+    for rate, p, q in zip(at("rates"), MOMENTA, COORDINATES, strict=True):
+        differences += [rate.lhs - of[p].diff(t), rate.rhs - function.rhs.diff(q)]
+    return differences
 
 
 def motion(at: Lines) -> list[sp.Expr]:
-    return [same_zero(one, other) for one, other in zip(at("motion"), at("rates"), strict=True)]
+    return [same_zero(*pair) for pair in zip(at("motion"), at("rates"), strict=True)]
 
 
 def elimination(at: Lines) -> list[sp.Expr]:
@@ -86,9 +88,9 @@ def insertion(at: Lines) -> list[sp.Expr]:
 
 
 def frequency(at: Lines) -> list[sp.Expr]:
-    oscillator, found = at("frequency")
-    turned = difference(oscillator).subs(phi, sp.cos(sp.sqrt(Omega_squared) * t)).doit()
-    return [turned, found.rhs - difference(at("insertion")[-1]).diff(phi)]
+    oscillator, frequency_squared = at("frequency")
+    with_cosine = difference(oscillator).subs(phi, sp.cos(sp.sqrt(Omega_squared) * t)).doit()
+    return [with_cosine, frequency_squared.rhs - difference(at("insertion")[-1]).diff(phi)]
 
 
 def unit(at: Lines) -> list[sp.Expr]:
@@ -161,22 +163,24 @@ FACTORS = {
 
 M_clamped is only a name in the routes. No line contains its value.
 """
-NAMED = re.compile(r"\\(times|div) ((?!M_{\\text).+)|\\text\{cancel \$(?!8)(.+)\$\}")
+NAMED_FACTOR = re.compile(r"\\(times|div) ((?!M_{\\text).+)|\\text\{cancel \$(?!8)(.+)\$\}")
 
 
 def test_every_named_factor_connects_two_lines():
     steps = {(name, step.key): step for name in ROUTES for step in ROUTES[name].steps}
-    named = {
-        (*key, place): match for key, step in steps.items() for place, operation in enumerate(step.operations)
-        if (match := NAMED.fullmatch(operation))
-    }  # fmt: skip
-    assert named.keys() == FACTORS.keys()
-    for (name, key, place), match in named.items():
-        one, other = steps[name, FACTORS[name, key, place][0]], steps[name, key].equations[place]
-        one = one.equations[FACTORS[name, key, place][1]]
+    matches = {}
+    for (name, key), step in steps.items():
+        for place, operation in enumerate(step.operations):
+            match = NAMED_FACTOR.fullmatch(operation)
+            if match:
+                matches[name, key, place] = match
+    assert matches.keys() == FACTORS.keys()
+    for (name, key, place), match in matches.items():
+        source_key, source_place = FACTORS[name, key, place]
+        source, line = steps[name, source_key].equations[source_place], steps[name, key].equations[place]
         quotients = [
             sp.factor(before / after if match[1] != "times" else after / before)
-            for before, after in ((difference(one), difference(other)), *product(one.args, other.args))
+            for before, after in ((difference(source), difference(line)), *product(source.args, line.args))
             if before != 0 != after
         ]
         operation = (match[2] or match[3]).removeprefix(r"\left(").removesuffix(r"\right)")

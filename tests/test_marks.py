@@ -30,9 +30,11 @@ Places = frozenset[tuple[int, int]]
 @pytest.mark.parametrize("of", [ROUTES.__getitem__, ROUTES.with_equal_masses], ids=["any masses", "equal masses"])
 def test_the_marks_of_a_route_are_the_terms_that_change(name, of):
     route = of(name)
-    for step, proved in zip(route.steps, changes([step.equations for step in route.steps]), strict=True):
-        named = tuple(", ".join(f"{SIDES[side]} {place + 1}" for side, place in sorted(line)) for line in proved)
-        assert named == (step.marks or ("",) * len(step.equations)), step.key
+    for step, changed_terms in zip(route.steps, changes([step.equations for step in route.steps]), strict=True):
+        marks = []
+        for terms in changed_terms:
+            marks.append(", ".join(f"{SIDES[side]} {place + 1}" for side, place in sorted(terms)))
+        assert tuple(marks) == (step.marks or ("",) * len(step.equations)), step.key
 
 
 def changes(steps: Sequence[Equations]) -> list[list[Places]]:
@@ -43,35 +45,42 @@ def changes(steps: Sequence[Equations]) -> list[list[Places]]:
         for at, line in enumerate(step):
             above = step[max(at - 1, 0) : at]
             for source in (*above, *reversed(before)):
-                changed = _changed(source, line, step, (*before, *step[:at]))
-                if changed:
-                    changed_terms[n][at] |= changed[1]
-                    if source in above and changed_terms[n][at - 1] | changed[0] < _terms(source).keys():
-                        changed_terms[n][at - 1] |= changed[0]
+                change = _find_change(source, line, step, (*before, *step[:at]))
+                if change:
+                    removed, added = change
+                    changed_terms[n][at] |= added
+                    if source in above and changed_terms[n][at - 1] | removed < _terms(source).keys():
+                        changed_terms[n][at - 1] |= removed
                     break
     return changed_terms
 
 
-def _changed(source: sp.Eq, line: sp.Eq, step: Equations, known: Equations) -> tuple[Places, Places] | None:
+def _find_change(source: sp.Eq, line: sp.Eq, step: Equations, known: Equations) -> tuple[Places, Places] | None:
     """Return the changed terms of the source and of the line, or None if the line has another source."""
     old, new = _terms(source), _terms(line)
     factor = _factor(source, line)
     times = (lambda term, factor: term) if factor == 1 else (lambda term, factor: sp.factor(factor * term))
     expected = {place: times(term, factor) for place, term in old.items()}
-    kept: dict[tuple[int, int], tuple[int, int]] = {}
+    # The place of a term in the line → its place in the source.
+    old_places: dict[tuple[int, int], tuple[int, int]] = {}
     for place, term in new.items():
-        same = [each for each in old.keys() - kept.values() if expected[each] == times(term, 1)]
+        same = [old_place for old_place in old.keys() - old_places.values() if expected[old_place] == times(term, 1)]
         if same:
-            kept[place] = min(same, key=lambda each: (each[0] != place[0], each))
-    alone = {side for side in (0, 1) if sum(place[0] == side for place in new) == 1}
-    goes, comes = old.keys() - kept.values(), new.keys() - kept.keys()
-    if all(side in alone for side, _place in kept) or len(comes) > _FEW:
+            side, _place = place
+            # Prefer a term on the same side.
+            old_places[place] = min(same, key=lambda old_place: (old_place[0] != side, old_place))
+    sides = [side for side, _place in new]
+    removed, added = old.keys() - old_places.values(), new.keys() - old_places.keys()
+    has_only_single_terms = all(sides.count(side) == 1 for side, _place in old_places)
+    if has_only_single_terms or len(added) > _FEW:
         return None
-    gained = sp.Add(*(new[place] for place in comes), *(-factor * old[place] for place in goes))
-    if not _vanishes(gained, [each for each in step if each not in (source, line)], known):
+    gained = sp.Add(*(new[place] for place in added), *(-factor * old[place] for place in removed))
+    if not _vanishes(gained, [other for other in step if other not in (source, line)], known):
         return None
-    moved = {place for place, before in kept.items() if place[0] != before[0]}
-    return frozenset(goes if len(goes) <= _FEW else ()), frozenset(comes if goes or comes else moved)
+    moved = {place for place, old_place in old_places.items() if place[0] != old_place[0]}
+    marked_in_source = removed if len(removed) <= _FEW else ()
+    marked_in_line = added if removed or added else moved
+    return frozenset(marked_in_source), frozenset(marked_in_line)
 
 
 def _factor(source: sp.Eq, line: sp.Eq) -> sp.Expr:
@@ -82,15 +91,16 @@ def _factor(source: sp.Eq, line: sp.Eq) -> sp.Expr:
 
 def _vanishes(gained: sp.Expr, step: Equations, known: Equations) -> bool:
     """Return whether an expression is zero by a known equation or by a definition in the step."""
-    defined = {each.lhs: each.rhs for each in step if each.lhs.is_Symbol}
-    return sp.cancel(gained.subs(defined)) == 0 or any(
-        _unknowns(each) == _unknowns(gained) and _ratio(gained, _difference(each)) for each in known
-    )
+    definitions = {equation.lhs: equation.rhs for equation in step if equation.lhs.is_Symbol}
+    if sp.cancel(gained.subs(definitions)) == 0:
+        return True
+    alike = [equation for equation in known if _unknowns(equation) == _unknowns(gained)]
+    return any(_ratio(gained, _difference(equation)) for equation in alike)
 
 
-def _ratio(one: sp.Expr, other: sp.Expr) -> sp.Expr | None:
+def _ratio(numerator: sp.Expr, denominator: sp.Expr) -> sp.Expr | None:
     """Return the quotient of two expressions if all unknowns cancel from it."""
-    quotient = sp.cancel(one / other) if other != 0 else sp.nan
+    quotient = sp.cancel(numerator / denominator) if denominator != 0 else sp.nan
     return quotient if quotient != sp.nan and quotient.free_symbols <= _CONSTANTS else None
 
 

@@ -20,9 +20,8 @@ from tests.test_scene_oscillator import HOSTILE as NO_NUMBERS
 ACTIONS = int(os.environ.get("RAMANUJAN_MONKEY", "60"))
 SEED = int(os.environ.get("RAMANUJAN_SEED", "1729"))
 
-KEYS = sorted(
-    key.name for key in (*parameters.URL_PARAMETERS, *(key for page in PAGES.values() for key in page.url_parameters))
-)
+_OF_PAGES = [parameter for page in PAGES.values() for parameter in page.url_parameters]
+KEYS = sorted(parameter.name for parameter in (*parameters.URL_PARAMETERS, *_OF_PAGES))
 ANSWERS = (*(texts[0] for texts in RIGHT.values()), *HOSTILE, "m*v^2/2", "φ̇·R")
 TEXTS = ("1", "9/8", "1/3", "٣", *NO_NUMBERS)
 LINKED = (*UNMEANT.values(), "1", "3", "0.75", "energy", "reading", "hoop")
@@ -32,7 +31,7 @@ Action = tuple[str, Callable[[], object]]
 
 def actions(app: AppTest, chance: random.Random) -> list[Action]:
     """Return the monkey's possible actions, at most one of each kind."""
-    found: list[Action] = [("open", lambda: app.switch_page(chance.choice(list(PAGES.values())).file))]
+    possible: list[Action] = [("open", lambda: app.switch_page(chance.choice(list(PAGES.values())).file))]
     key = chance.choice(KEYS)
     text = chance.choice(LINKED)
 
@@ -40,7 +39,7 @@ def actions(app: AppTest, chance: random.Random) -> list[Action]:
         app.query_params.clear()
         app.query_params[key] = text
 
-    found.append((f"link {key}={str(text)[:20]!r}", link))
+    possible.append((f"link {key}={str(text)[:20]!r}", link))
     kinds = {
         "slider": lambda w: w.set_value(round(chance.uniform(w.min, w.max), chance.choice([1, 2, 9]))),
         # A measurement over more than ten periods is slow.
@@ -58,8 +57,8 @@ def actions(app: AppTest, chance: random.Random) -> list[Action]:
         widgets = [widget for widget in getattr(app, kind, ()) if not widget.disabled]
         if widgets:
             widget = chance.choice(widgets)
-            found.append((f"{kind} {widget.key}", lambda act=act, widget=widget: act(widget)))
-    return found
+            possible.append((f"{kind} {widget.key}", lambda act=act, widget=widget: act(widget)))
+    return possible
 
 
 def test_no_action_ends_in_an_error(app: AppTest, caplog: pytest.LogCaptureFixture) -> None:

@@ -86,7 +86,7 @@ def test_roots_are_parsed(text: str) -> None:
 
 
 @pytest.mark.parametrize(
-    ("text", "said"),
+    ("text", "words"),
     [
         ("", "first"),
         ("m = 2", "equals sign"),
@@ -130,11 +130,11 @@ def test_roots_are_parsed(text: str) -> None:
         ("(" * 100 + "m" + ")" * 100, "nested"),
     ],
 )
-def test_unreadable_text_raises_a_sentence(text: str, said: str) -> None:
+def test_unreadable_text_raises_a_sentence(text: str, words: str) -> None:
     with pytest.raises(UnreadableError, match=r"[.?]") as refusal:
         parse(text)
     sentence = str(refusal.value)
-    assert said.lower() in sentence.lower()
+    assert words.lower() in sentence.lower()
     assert sentence.endswith((".", "?"))
 
 

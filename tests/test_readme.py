@@ -55,14 +55,14 @@ def test_an_older_python_stops_the_start_with_one_sentence(name):
 
 
 def test_the_printed_lines_import_the_package_from_another_folder(tmp_path):
-    there = block("in a notebook elsewhere")
-    here = there.splitlines()[-1]
-    asks = "\nprint(Oscillator(1, 1, 1).normalized_frequency_squared)"
-    for name, lines, said in (("elsewhere", there, "1.0505"), ("alone", here, "")):
+    printed_lines = block("in a notebook elsewhere")
+    last_line = printed_lines.splitlines()[-1]
+    use = "\nprint(Oscillator(1, 1, 1).normalized_frequency_squared)"
+    for name, lines, output in (("all_lines", printed_lines, "1.0505"), ("last_line", last_line, "")):
         (tmp_path / name).mkdir()
-        done = run(tmp_path / name, sys.executable, "-c", lines + asks)
-        assert done.stdout.startswith(said), done.stderr
-        assert ("No module named 'ramanujan'" in done.stderr) == (not said)
+        result = run(tmp_path / name, sys.executable, "-c", lines + use)
+        assert result.stdout.startswith(output), result.stderr
+        assert ("No module named 'ramanujan'" in result.stderr) == (not output)
 
 
 def test_the_lesson_takes_as_long_as_its_stops():

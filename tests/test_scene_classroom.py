@@ -280,8 +280,8 @@ def test_a_reload_on_another_page_preserves_the_role(lecturer):
     press(lecturer, "ask")
     answer(student.run(), RIGHT)
     for person, still in ((lecturer, "1 of 1"), (student, "Your answer counts")):
-        there = person.switch_page("ramanujan/pages/motion/page.py").run()
-        link = address(there)
+        other_page = person.switch_page("ramanujan/pages/motion/page.py").run()
+        link = address(other_page)
         assert {"class", "lecturer"} & set(link) == {"class", *(["lecturer"] if person is lecturer else [])}
         again = AppTest.from_file(str(ROOT / "app.py"), default_timeout=60).run()
         again.session_state["cookie"] = "phone"

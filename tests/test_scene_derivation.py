@@ -113,12 +113,12 @@ def test_all_routes_have_one_result_and_a_link_with_a_check_mark(page):
 
 @pytest.mark.parametrize("name", ROUTES)
 def test_the_terms_of_all_parts_add_up_to_the_equation(name):
-    stated = [e for step in ROUTES[name].steps for e in step.equations if terms_by_part(e)]
-    assert bool(stated) == (name != "newton")
-    for relation in stated:
-        own = terms_by_part(relation)
-        assert set(own) <= set(PARTS)
-        assert sp.expand(sum(sum(part) for part in own.values()) - relation.rhs) == 0
+    sums = [e for step in ROUTES[name].steps for e in step.equations if terms_by_part(e)]
+    assert bool(sums) == (name != "newton")
+    for equation in sums:
+        terms = terms_by_part(equation)
+        assert set(terms) <= set(PARTS)
+        assert sp.expand(sum(map(sum, terms.values())) - equation.rhs) == 0
 
 
 @pytest.mark.parametrize("numbers", [None, Numbers(1.0, 1.0, 10.0)], ids=["symbols", "numbers"])
@@ -169,24 +169,24 @@ def test_each_line_names_the_operation_that_leads_to_it(page):
     for operation in (r"\times \frac{3}{2}", insert, r"\text{cancel $8$}", collect, r"\times 72", r"+\,1"):
         assert rf"\vert\ {operation}" in shown, operation
     assert shown.count(r"\underline{") == 15
-    marked = {name for name in ROUTES if any(map(any, (step.marks for step in ROUTES[name].steps)))}
+    marked = {name for name in ROUTES if any(any(step.marks) for step in ROUTES[name].steps)}
     # No line of the matrix route adds, removes or moves a term of an earlier line.
     assert marked == {*ROUTES} - {"matrix"}
-    for way in (*(ROUTES[name] for name in ROUTES), ROUTES.with_equal_masses("euler_lagrange")):
-        for step in way.steps:
+    for route in (*(ROUTES[name] for name in ROUTES), ROUTES.with_equal_masses("euler_lagrange")):
+        for step in route.steps:
             for shown_step in (step, step.for_numbers(Numbers(1, 1, 10))):
-                assert len(shown_step.operations) == len(shown_step.equations), (way.title, step.key)
-                assert any(shown_step.operations), (way.title, step.key)
+                assert len(shown_step.operations) == len(shown_step.equations), (route.title, step.key)
+                assert any(shown_step.operations), (route.title, step.key)
 
 
 def test_a_typed_result_is_shown_once_it_is_right(page):
     assert formulas(page).count("p_{X} &=") == 2
     page.toggle(key="first_euler_lagrange_block_momentum").set_value(True).run()
     assert formulas(page).count("p_{X} &=") == 1
-    for text, seen in (("m X'", 1), ("(3m + 2m') X' - 2(m + m') R phi' - m R Phi'", 2)):
+    for text, count in (("m X'", 1), ("(3m + 2m') X' - 2(m + m') R phi' - m R Phi'", 2)):
         page.text_input(key="answer_euler_lagrangeblock_momentum").set_value(text)
         next(button for button in page.button if button.label == "Check").click().run()
-        assert formulas(page).count("p_{X} &=") == seen
+        assert formulas(page).count("p_{X} &=") == count
     toggles = [toggle.key for toggle in sound(page).toggle if toggle.key.startswith("first_")]
     assert len(toggles) == len({find_question(name).steps[-1] for name in QUESTIONS})
 

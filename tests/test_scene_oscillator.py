@@ -86,8 +86,8 @@ def test_six_steps_show_their_results_without_a_click_and_nothing_twice(app):
     assert len(written) == len(set(written)) > 30
     # Numbers have a separate heading, and a sentence that names their machine.
     for opened in text.split("**")[2::2]:
-        way, _heading, numbers = opened.partition("### Your machine")
-        assert "The numbers are for" not in way
+        symbols, _heading, numbers = opened.partition("### Your machine")
+        assert "The numbers are for" not in symbols
         assert ("The numbers are for" in numbers) == ("$$" in numbers)
     assert text.index(r"\varepsilon &= 1 ") > text.rindex("### Your machine")
 

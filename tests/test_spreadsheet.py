@@ -85,7 +85,7 @@ def test_libreoffice_reads_every_number_as_a_number(language, tmp_path):
     subprocess.run([*command, *tmp_path.glob("*.csv")], capture_output=True, timeout=300, check=True)
     numbers = [float(cell.get(VALUE)) for cell in cells(tmp_path / "motion.fods") if cell.get(TYPE) == "float"]
     series = columns(cache.record.__wrapped__(Oscillator(2.5, 1.0, 10.0), 0.08, 0.04, -1.3))
-    values = [value for row in zip(*(column.tolist() for column in series.values()), strict=True) for value in row]
+    values = [value for row in zip(*series.values(), strict=True) for value in map(float, row)]
     assert numbers[-len(values) :] == pytest.approx(values, rel=1e-14, abs=1e-30)
     kinds = [cell.get(TYPE) for cell in cells(tmp_path / "votes.fods")]
     assert kinds.count("date") == 8

@@ -293,13 +293,14 @@ def scripts() -> dict[str, str]:
     }
 
 
-def spoken(name: str, text: str) -> list[str]:
+def find_visible_words(name: str, text: str) -> list[str]:
     """Return visible texts: two quoted words that begin with a capital, or any text in HTML."""
     pattern = r">\s*([A-Za-z]{3,}[^<>]*)<" if name.endswith("html") else r"[\"'`]([A-Z][a-z]+ [a-z][^\"'`]*)[\"'`]"
     return re.findall(pattern, text)
 
 
 def test_no_visible_words_are_in_scripts_or_html():
-    assert spoken("a.js", 'node.textContent = "Both hands start together."')
-    assert spoken("a.html", "<button>Copy link</button>")
-    assert {name: found for name, text in scripts().items() if (found := spoken(name, text))} == {}
+    assert find_visible_words("a.js", 'node.textContent = "Both hands start together."')
+    assert find_visible_words("a.html", "<button>Copy link</button>")
+    words = {name: find_visible_words(name, text) for name, text in scripts().items()}
+    assert {name: texts for name, texts in words.items() if texts} == {}

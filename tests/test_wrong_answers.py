@@ -189,17 +189,23 @@ def true_difference(message: str, term: str, ratio: sp.Expr, right_coefficient: 
         named = rf"with {re.escape(term)}{place}"
         return bool(re.search(rf"The term {named} is missing\.|In your answer the terms {named} cancel\.", message))
     sign = "negative" if right_coefficient.could_extract_minus_sign() else "positive"
-    if match := re.search(rf"{of_term} is (.+?) the right one\.", message):
+    match = re.search(rf"{of_term} is (.+?) the right one\.", message)
+    if match:
         return factor_of(match[1]) / ratio == 1
-    if match := re.search(rf"{of_term} should be (negative|positive)\. Its size is (.+?) the right one\.", message):
+    match = re.search(rf"{of_term} should be (negative|positive)\. Its size is (.+?) the right one\.", message)
+    if match:
         return match[1] == sign and factor_of(match[2]) / ratio == -1
-    if match := re.search(rf"{of_term} should be (negative|positive)\.", message):
+    match = re.search(rf"{of_term} should be (negative|positive)\.", message)
+    if match:
         return match[1] == sign and ratio == -1
-    if match := re.search(rf"{of_term} lacks a factor (.+?)\.", message):
+    match = re.search(rf"{of_term} lacks a factor (.+?)\.", message)
+    if match:
         return factor_of(match[1]) * ratio == 1
-    if match := re.search(rf"{of_term} contains an extra factor (.+?)\.", message):
+    match = re.search(rf"{of_term} contains an extra factor (.+?)\.", message)
+    if match:
         return factor_of(match[1]) / ratio == 1
-    if match := re.search(rf"{of_term} contains (m′?) instead of (m′?)\.", message):
+    match = re.search(rf"{of_term} contains (m′?) instead of (m′?)\.", message)
+    if match:
         yours, theirs = map(factor_of, match.groups())
         return yours / theirs == ratio and right_coefficient.has(theirs)
     return False
@@ -219,9 +225,11 @@ def true_one_term(message: str, given: sp.Expr, above: sp.Expr, below: sp.Expr) 
 
 def true_multiple(message: str, ratio: sp.Expr) -> bool:
     """Return whether a verdict states the correct ratio of the given answer to the right one."""
-    if match := re.search(r"Your answer is (.+?) the right one\.", message):
+    match = re.search(r"Your answer is (.+?) the right one\.", message)
+    if match:
         return factor_of(match[1]) / ratio == 1
-    if match := re.search(r"Your answer has the wrong sign\. Its size is (.+?) the right one\.", message):
+    match = re.search(r"Your answer has the wrong sign\. Its size is (.+?) the right one\.", message)
+    if match:
         return factor_of(match[1]) / ratio == -1
     return ratio == -1 and "Your answer has the wrong sign." in message
 
@@ -358,7 +366,8 @@ def true_special_masses(message: str, given: sp.Expr, right: sp.Expr) -> bool:
     difference = sp.cancel(given - right)
     if "Your answer is right for equal masses" in message:
         return difference.subs(mp, m) == 0
-    if match := re.search("Your answer is right for (m′?) = 0", message):
+    match = re.search("Your answer is right for (m′?) = 0", message)
+    if match:
         return difference.subs(factor_of(match[1]), 0) == 0
     return "wrong even for equal masses" in message and sp.cancel(difference.subs(mp, m)) != 0
 
@@ -418,12 +427,14 @@ def _true_of_number(message: str, given: sp.Expr) -> bool:
     ) and ("part of your answer without the root is right" not in message or rational == sp.Rational(-1, 36))
     if "A ratio of two masses is positive" in message:
         return bool(given <= 0) and parts_true
-    if match := re.search(rf"With ε = {NUMBER} you get Ω² = {NUMBER} k/m", message):
+    match = re.search(rf"With ε = {NUMBER} you get Ω² = {NUMBER} k/m", message)
+    if match:
         epsilon = float(given)
         frequency = 8 * (7 + 6 * epsilon) / (32 + 49 * epsilon + 18 * epsilon**2)
         stated = [read(text) for text in match.groups()]
         return parts_true and stated == pytest.approx([epsilon, frequency], rel=1e-5)
-    if match := re.search(rf"Ω² and k/m differ by {NUMBER} k/m", message):
+    match = re.search(rf"Ω² and k/m differ by {NUMBER} k/m", message)
+    if match:
         epsilon = given.n(30)
         frequency = 8 * (7 + 6 * epsilon) / (32 + 49 * epsilon + 18 * epsilon**2)
         return parts_true and read(match[1]) == pytest.approx(float(abs(frequency - 1)), rel=1e-3)

@@ -103,18 +103,15 @@ def work_precision(
     array([201])
     """
     if previous is None:
-        steps, previous_periods = np.unique(steps_per_period), 0
-        error = np.zeros(steps.size)
-        start = (np.ones((2, steps.size), dtype), np.zeros((2, steps.size), dtype))
-    else:
-        steps, previous_periods = previous.steps_per_period, previous.periods
-        error, start = previous.error.copy(), previous.ends
+        previous = _release(np.unique(steps_per_period), method, dtype)
+    steps, error = previous.steps_per_period, previous.error.copy()
+    remaining_steps = steps * (periods - previous.periods)
     h = _enclose_time_steps(steps, dtype)
     ends = np.empty((2, *h.shape), dtype)
     # The exact states e^{it} at the steps of one period, one run after the other in one array.
     exact_states = np.concatenate([np.exp(2j * np.pi * np.arange(n) / n) for n in steps])
     first_state = np.cumsum(steps) - steps
-    for number, q, v in run_in_blocks(METHODS[method], start, h, steps * (periods - previous_periods)):
+    for number, q, v in run_in_blocks(METHODS[method], previous.ends, h, remaining_steps):
         running = slice(steps.size - q.shape[-1], None)
         step_in_period = number[:, None] % steps[running]
         exact = exact_states[first_state[running] + step_in_period][:, None]
@@ -134,6 +131,20 @@ def work_precision(
         error=error,
         evaluations=count_evaluations(method, steps * periods),
         ends=tuple(ends),
+    )
+
+
+def _release(steps: np.ndarray, method: str, dtype: str) -> WorkPrecision:
+    """Return runs without any step, at release."""
+    ends = np.ones((2, steps.size), dtype), np.zeros((2, steps.size), dtype)
+    return WorkPrecision(
+        method=method,
+        dtype=dtype,
+        periods=0,
+        steps_per_period=steps,
+        error=np.zeros(steps.size),
+        evaluations=np.zeros(steps.size, dtype=int),
+        ends=ends,
     )
 
 

@@ -144,7 +144,7 @@ def unit_condition(natural_frequency_squared: sp.Expr) -> UnitCondition:
     """
     normalized = sp.factor(natural_frequency_squared.subs(m_prime, epsilon * m) * m / k)
     numerator, denominator = sp.fraction(normalized)
-    quadratic = sp.Poly(denominator - numerator, epsilon).primitive()[1]
+    _content, quadratic = sp.Poly(denominator - numerator, epsilon).primitive()
     (root,) = (root for root in sp.roots(quadratic, multiple=True) if root.is_positive)
     return UnitCondition(normalized, quadratic, sp.factor(root), quadratic.discriminant())
 

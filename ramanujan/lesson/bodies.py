@@ -69,6 +69,18 @@ def _energy_shares(part: float) -> dict[str, float]:
     return shares
 
 
+def _turning_point_numbers() -> dict[str, float]:
+    q, _q_dot = state_after(0.5)
+    stretch = abs(float(relative_positions(EQUAL, q)["slab"]))
+    return {"spring": _energy_shares(0.5)["spring"], "stretch": _CM * stretch}
+
+
+def _middle_numbers() -> dict[str, float]:
+    _q, q_dot = state_after(0.25)
+    block_speed = abs(float(ground_velocities(EQUAL, q_dot)["block"]))
+    return {**_energy_shares(0.25), "block_speed": _CM * block_speed}
+
+
 def _find_energy_at_turning_point() -> str:
     share = _energy_shares(0.5)["spring"]
     if share > 0.99:
@@ -189,10 +201,7 @@ STOPS = (
             "bodies follow the same cosine. They all stop at the same instants, so none of them has kinetic energy "
             "then."
         ),
-        answer_numbers=lambda: {
-            "spring": _energy_shares(0.5)["spring"],
-            "stretch": _CM * abs(float(relative_positions(EQUAL, state_after(0.5)[0])["slab"])),
-        },
+        answer_numbers=_turning_point_numbers,
         hints=(_("If the slab rests relative to the block, how fast do the lower rollers turn?"),),
         purpose=_("Released from rest, only one mode is excited, so all bodies stop together."),
         expect=_("Some expect that the free top cylinder still moves."),
@@ -227,10 +236,7 @@ STOPS = (
             "%}, the top cylinder {top:2 %}. The slab is the fastest body. The hoop hardly travels, but it spins and "
             "has the largest moment of inertia for its mass."
         ),
-        answer_numbers=lambda: {
-            **_energy_shares(0.25),
-            "block_speed": _CM * abs(float(ground_velocities(EQUAL, state_after(0.25)[1])["block"])),
-        },
+        answer_numbers=_middle_numbers,
         hints=(
             _("Kinetic energy grows with the square of the speed. Which body is the fastest relative to the ground?"),
         ),

@@ -123,16 +123,16 @@ def periods_until_apart(ratio: Fraction) -> float:
 def _candidate_numbers() -> dict[str, object]:
     """Return the numbers of the candidates, of the range, and of the exact ratio."""
     root = unit_frequency_condition().root
-    whole = math.isqrt(_NUMBER)
+    below, (low, high) = math.isqrt(_NUMBER), RANGE
     numbers: dict[str, object] = {name: float(evaluate_quadratic(ratio)) for name, ratio in CANDIDATES.items()}
     numbers |= {f"{name}_periods": periods_until_apart(ratio) for name, ratio in CANDIDATES.items()}
     return numbers | {
-        "fast": float(exact_frequency_squared(RANGE[0])),
-        "slow": float(exact_frequency_squared(RANGE[1])),
+        "fast": float(exact_frequency_squared(low)),
+        "slow": float(exact_frequency_squared(high)),
         "value": float(root) * EQUAL.m,
         "heavier": float(root) - 1,
-        "below": whole,
-        "above": whole + 1,
+        "below": below,
+        "above": below + 1,
     }
 
 

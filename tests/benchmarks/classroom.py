@@ -79,58 +79,59 @@ def main() -> None:
     parser.add_argument("--looking", type=int, default=0, help="so many more sessions open every page once")
     parser.add_argument("--voting", type=int, default=0, help="so many vote, as in a class")
     parser.add_argument("--browsers", type=int, default=8, help="pages in browsers while others vote (default: 8)")
-    given = parser.parse_args()
+    arguments = parser.parse_args()
     _, most = resource.getrlimit(resource.RLIMIT_NOFILE)
     resource.setrlimit(resource.RLIMIT_NOFILE, (most, most))
-    if given.voting:
+    if arguments.voting:
         with running(ROOT / "app.py") as address:
-            asyncio.run(_vote(address, given))
+            asyncio.run(_vote(address, arguments))
         return
-    print(f"{os.cpu_count()} cores, load {os.getloadavg()[0]:.1f}, {given.sessions} sessions, {given.seconds:g} s\n")
+    load, _five_minutes, _fifteen_minutes = os.getloadavg()
+    print(f"{os.cpu_count()} cores, load {load:.1f}, {arguments.sessions} sessions, {arguments.seconds:g} s\n")
     with tempfile.TemporaryDirectory() as folder:
         bare = Path(folder) / "bare.py"
         bare.write_text(BARE)
         print(HEAD)
-        lessons = {"bare page": lesson(bare, [""], given)}
+        lessons = {"bare page": lesson(bare, [""], arguments)}
         report("bare page", lessons["bare page"])
-        others = [_measure] * given.measuring + [_look] * given.looking
-        for name in PAGES if given.page == "every" else [given.page]:
+        others = [_measure] * arguments.measuring + [_look] * arguments.looking
+        for name in PAGES if arguments.page == "every" else [arguments.page]:
             pages = list(PAGES.values()) if name == "spread" else [PAGES[name]]
-            lessons[name] = lesson(ROOT / "app.py", pages, given, others)
+            lessons[name] = lesson(ROOT / "app.py", pages, arguments, others)
             report(name, lessons[name], lessons["bare page"])
 
 
-def lesson(script: Path, pages: list[str], given: argparse.Namespace, others: Sequence[Callable] = ()) -> Lesson:
+def lesson(script: Path, pages: list[str], arguments: argparse.Namespace, others: Sequence[Callable] = ()) -> Lesson:
     """Run the sessions of a class on these pages, together with the other coroutines, and return the results."""
-    if given.processes and script == ROOT / "app.py":
-        with deployed(given.processes) as hall:
+    if arguments.processes and script == ROOT / "app.py":
+        with deployed(arguments.processes) as hall:
             return asyncio.run(
-                _lesson(hall.address, [process.pid for process in hall.processes.values()], pages, given, others)
+                _lesson(hall.address, [process.pid for process in hall.processes.values()], pages, arguments, others)
             )
     server = running(script)
     with server as address:
-        return asyncio.run(_lesson(address, [server.process.pid], pages, given, others))
+        return asyncio.run(_lesson(address, [server.process.pid], pages, arguments, others))
 
 
 async def _lesson(
-    address: str, processes: list[int], pages: list[str], given: argparse.Namespace, others: Sequence[Callable]
+    address: str, processes: list[int], pages: list[str], arguments: argparse.Namespace, others: Sequence[Callable]
 ) -> Lesson:
     results = Lesson()
     # Warm up each process.
     for page in pages:
         for _ in processes:
-            await _warm(address, page, given)
+            await _warm(address, page, arguments)
     before = memory(processes)
-    visitors = [Visitor(address, pages[number % len(pages)]) for number in range(given.sessions)]
+    visitors = [Visitor(address, pages[number % len(pages)]) for number in range(arguments.sessions)]
     gate = asyncio.Semaphore(AT_ONCE)
     opened = await asyncio.gather(*(_open(visitor, gate, results) for visitor in visitors))
     visitors = [visitor for visitor in opened if visitor]
     results.memory = (memory(processes) - before) / max(len(visitors), 1)
     received = [(visitor.received, visitor.messages) for visitor in visitors]
     start = processor_time(processes)
-    end = perf_counter() + given.seconds
+    end = perf_counter() + arguments.seconds
     await asyncio.gather(
-        *(_work(visitor, end, number, results, given) for number, visitor in enumerate(visitors)),
+        *(_work(visitor, end, number, results, arguments) for number, visitor in enumerate(visitors)),
         *(other(address, end, results) for other in others),
     )
     results.processor = processor_time(processes) - start
@@ -140,10 +141,10 @@ async def _lesson(
     return results
 
 
-async def _warm(address: str, page: str, given: argparse.Namespace) -> None:
+async def _warm(address: str, page: str, arguments: argparse.Namespace) -> None:
     visitor = Visitor(address, page)
     await visitor.open()
-    await visitor.move(given.slider, random.Random(given.seed))
+    await visitor.move(arguments.slider, random.Random(arguments.seed))
     await visitor.close()
 
 
@@ -157,15 +158,15 @@ async def _open(visitor: Visitor, gate: asyncio.Semaphore, results: Lesson) -> V
         return visitor
 
 
-async def _work(visitor: Visitor, end: float, number: int, results: Lesson, given: argparse.Namespace) -> None:
+async def _work(visitor: Visitor, end: float, number: int, results: Lesson, arguments: argparse.Namespace) -> None:
     """Move the slider at random times until the end."""
-    chance = random.Random(given.seed * 100_003 + number)
+    chance = random.Random(arguments.seed * 100_003 + number)
     due = perf_counter() + chance.uniform(0, EVERY)
     while due < end:
         await asyncio.sleep(max(0.0, due - perf_counter()))
         due = perf_counter() + chance.uniform(0.75, 1.25) * EVERY
         try:
-            results.waits.append(await visitor.move(given.slider, chance))
+            results.waits.append(await visitor.move(arguments.slider, chance))
         except (VisitError, OSError) as problem:
             results.errors[str(problem)] += 1
             return
@@ -205,12 +206,12 @@ COUNTED = """() => {
 """Script in the wall's page that records when each number of votes is first shown."""
 
 
-async def _vote(address: str, given: argparse.Namespace) -> None:
+async def _vote(address: str, arguments: argparse.Namespace) -> None:
     """Vote once from each phone, and print the delays until the wall has counted the votes."""
-    opened, stop, chance = shared().open_class(), STOPS[0], random.Random(given.seed)
+    opened, stop, chance = shared().open_class(), STOPS[0], random.Random(arguments.seed)
     async with async_playwright() as playwright:
         browser = await playwright.chromium.launch(executable_path=CHROMIUM, args=FLAGS)
-        pages = [await (await browser.new_context(bypass_csp=True)).new_page() for _ in range(given.browsers)]
+        pages = [await (await browser.new_context(bypass_csp=True)).new_page() for _ in range(arguments.browsers)]
         await pages[0].goto(f"{address}/lesson?class={opened.code}&wall=on&view=projector")
         for page in pages[1:]:
             await page.goto(f"{address}/lesson?class={opened.code}")
@@ -221,28 +222,32 @@ async def _vote(address: str, given: argparse.Namespace) -> None:
         await pages[0].locator(".st-key-wall_asked").wait_for(timeout=60_000)
         await pages[0].evaluate(COUNTED)
         gate, results = asyncio.Semaphore(AT_ONCE), Lesson()
-        phones = [Visitor(address, f"lesson?class={opened.code}") for _ in range(given.voting)]
-        phones = [phone for phone in await asyncio.gather(*(_open(each, gate, results) for each in phones)) if phone]
-        voted = []
+        phones = [Visitor(address, f"lesson?class={opened.code}") for _ in range(arguments.voting)]
+        opened_phones = await asyncio.gather(*(_open(phone, gate, results) for phone in phones))
+        phones = [phone for phone in opened_phones if phone]
+        vote_times = []
 
         async def answer(phone: Visitor) -> None:
-            start, due = perf_counter(), chance.uniform(1, given.seconds)
-            while perf_counter() - start < given.seconds + 5:
+            start, due = perf_counter(), chance.uniform(1, arguments.seconds)
+            while perf_counter() - start < arguments.seconds + 5:
                 if due and perf_counter() - start > due:
                     due = None
-                    voted.append(time.time())
+                    vote_times.append(time.time())
                     await phone.choose(chance.randrange(len(stop.options)))
                 results.waits.append(await phone.look())
                 await asyncio.sleep(chance.uniform(0, 2 * PHONE_INTERVAL))
 
         await asyncio.gather(*map(answer, phones))
-        counted = await pages[0].evaluate("counted")
+        count_times = await pages[0].evaluate("counted")
         await browser.close()
     shared().close(opened.key)
     # A number that the wall skipped was counted with the next one.
-    after = [min(at for at in counted[number:] if at) - vote for number, vote in enumerate(sorted(voted), start=1)]
-    p50, p95, _ = quantiles(after)
-    print(f"{len(after)} votes on the wall after p50 {p50:.2f} s, p95 {p95:.2f} s, longest {max(after):.2f} s")
+    delays = []
+    for number, vote_time in enumerate(sorted(vote_times), start=1):
+        first_count = min(count_time for count_time in count_times[number:] if count_time)
+        delays.append(first_count - vote_time)
+    p50, p95, _ = quantiles(delays)
+    print(f"{len(delays)} votes on the wall after p50 {p50:.2f} s, p95 {p95:.2f} s, longest {max(delays):.2f} s")
     print(f"a phone’s look took p95 {1000 * quantiles(results.waits)[1]:.0f} ms; {dict(results.errors) or 'no errors'}")
 
 

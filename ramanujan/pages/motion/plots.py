@@ -35,8 +35,9 @@ class Friction:
     first: str
 
 
-def draw_displacements(motion: Record, drawn: tuple[EncodedFigure, ...]) -> None:
+def draw_displacements(motion: Record, figures: tuple[EncodedFigure, ...]) -> None:
     """Draw displacements over time and the phase plane, and explain the two initial velocities."""
+    over_time, phase_plane = figures
     time, plane = st.columns([3, 2])
     farthest = {}
     for body in PARTS:
@@ -55,7 +56,7 @@ def draw_displacements(motion: Record, drawn: tuple[EncodedFigure, ...]) -> None
     ]
     with time:
         draw_chart(
-            drawn[0], "displacements", " ".join(alternative).format(distances=list_values(PARTS, farthest, "cm"))
+            over_time, "displacements", " ".join(alternative).format(distances=list_values(PARTS, farthest, "cm"))
         )
     ellipse = _(
         "Phase plane: velocity over displacement. Relative to the block the slab runs around a closed ellipse, because "
@@ -64,7 +65,7 @@ def draw_displacements(motion: Record, drawn: tuple[EncodedFigure, ...]) -> None
     amplitude = 100 * motion.compression
     top_speed = amplitude * motion.oscillator.natural_frequency
     with plane:
-        draw_chart(drawn[1], "phase_plane", filled(ellipse, displacement=amplitude, velocity=top_speed))
+        draw_chart(phase_plane, "phase_plane", filled(ellipse, displacement=amplitude, velocity=top_speed))
     sentences = [
         _("In the phase plane the block moves relative to the ground, the others relative to the block."),
         _(
@@ -91,7 +92,7 @@ def _drift(x: np.ndarray, motion: Record) -> float:
     return round(float((x[-1] - x[0]) / motion.t[-1] * 100), 9)
 
 
-def draw_energy(motion: Record, drawn: tuple[EncodedFigure, ...]) -> None:
+def draw_energy(motion: Record, figures: tuple[EncodedFigure, ...]) -> None:
     """Draw the energies, stacked."""
     total = motion.total_energy
     error = max(float(abs(total - total[0]).max() / total[0]), np.finfo(float).eps)
@@ -107,7 +108,7 @@ def draw_energy(motion: Record, drawn: tuple[EncodedFigure, ...]) -> None:
     )
     words, figure = columns("energy")
     with figure:
-        draw_chart(drawn[0], "energy", filled(alternative, total=1e3 * total[0], body=PARTS[greatest]))
+        draw_chart(figures[0], "energy", filled(alternative, total=1e3 * total[0], body=PARTS[greatest]))
     sentences = [
         _(
             "Solid areas: kinetic energy of translation relative to the ground. Hatched areas: of rotation. The sum is "
@@ -122,7 +123,7 @@ def draw_energy(motion: Record, drawn: tuple[EncodedFigure, ...]) -> None:
         st.caption(filled(" ".join(sentences), total=1e3 * total[0], error=error, spring=spring))
 
 
-def draw_momentum(motion: Record, drawn: tuple[EncodedFigure, ...]) -> None:
+def draw_momentum(motion: Record, figures: tuple[EncodedFigure, ...]) -> None:
     """Draw the momenta of the bodies and the two conserved momenta."""
     p_X, p_Phi = (float(motion.momenta[name][0]) for name in ("p_X", "p_Phi"))
     X_symbol, _phi_symbol, Phi_symbol = map(latex, MOMENTA)
@@ -132,7 +133,7 @@ def draw_momentum(motion: Record, drawn: tuple[EncodedFigure, ...]) -> None:
     )
     words, figure = columns("momentum")
     with figure:
-        draw_chart(drawn[0], "momentum", filled(alternative, all=-p_X, top=p_Phi / motion.oscillator.radius))
+        draw_chart(figures[0], "momentum", filled(alternative, all=-p_X, top=p_Phi / motion.oscillator.radius))
     sentence = _(
         "The bodies exchange momentum, but two momenta are conserved, because the Lagrangian contains neither $X$ nor "
         "$\\Phi$. $-{p_X}$ is the momentum of the whole machine; $X$ is positive to the left, hence the minus sign. "
@@ -143,23 +144,23 @@ def draw_momentum(motion: Record, drawn: tuple[EncodedFigure, ...]) -> None:
         st.caption(sentence.format(p_X=X_symbol, p_Phi=Phi_symbol))
 
 
-def draw_forces(motion: Record, drawn: tuple[EncodedFigure, ...], friction: Friction) -> None:
+def draw_forces(motion: Record, figures: tuple[EncodedFigure, ...], friction: Friction) -> None:
     """Draw contact forces over time, and the friction that each contact needs."""
     time, bars = st.columns([3, 2])
     with time:
-        draw_contact_forces(motion, drawn)
+        draw_contact_forces(motion, figures)
     with bars:
         draw_required_friction(motion, friction)
 
 
-def draw_contact_forces(motion: Record, drawn: tuple[EncodedFigure, ...]) -> None:
+def draw_contact_forces(motion: Record, figures: tuple[EncodedFigure, ...]) -> None:
     """Draw contact forces over time."""
     strongest = {name: float(abs(force).max()) for name, force in motion.forces.items() if name in cache.CONTACTS}
     alternative = _(
         "Contact forces over time: friction follows the motion of the spring, and the slab’s weight shifts between the "
         "rollers. Greatest friction: {forces}."
     )
-    draw_chart(drawn[0], "contact_forces", alternative.format(forces=list_values(cache.CONTACTS, strongest, "N")))
+    draw_chart(figures[0], "contact_forces", alternative.format(forces=list_values(cache.CONTACTS, strongest, "N")))
 
 
 def explain_forces(motion: Record) -> None:
