@@ -20,14 +20,14 @@ from tests.browser import ROOT
 FILES = """
 import json
 from ramanujan import Oscillator, lesson
-from ramanujan.lesson.class_record import as_spreadsheet
+from ramanujan.lesson.class_record import write_spreadsheet
 from ramanujan.lesson.class_states import ClassResult
 from ramanujan.pages.motion import cache, files
 motion = cache.record.__wrapped__(Oscillator(2.5, 1.0, 10.0), 0.08, 0.04, -1.3)
 stop = lesson.STOPS[0]
 votes = {option: number for number, option in enumerate(stop.options)}
 asked = [ClassResult(stop.id, 1764000000.0, 7, votes, None), ClassResult(stop.id, 1764000900.0, 7, votes, votes)]
-print(json.dumps([files.sheet(motion, 0.2, [("m [kg]", 2.5)]), as_spreadsheet(asked)]))
+print(json.dumps([files.sheet(motion, 0.2, [("m [kg]", 2.5)]), write_spreadsheet(asked)]))
 """
 LOCALES = {"en": 1033, "hu": 1038}
 """Language → LibreOffice's number of its locale."""
