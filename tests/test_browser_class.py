@@ -22,7 +22,7 @@ from tests.browser import next_frame, script, settle, traffic
 WALL_FAULTS = script("wall")
 SIZES = ((1024, 768), (1920, 1080), (1280, 768), (3840, 2160))
 """Sizes of walls."""
-STOPS = [stop for stop in lesson.STOPS if stop.short]
+STOPS = [stop for stop in lesson.STOPS if stop.is_in_short_lesson]
 BETWEEN = range(2, 5)
 """Numbers of the stops that the class plays without its screens."""
 AT = "ramanujan.last('time/stage_two-clocks_0')"
@@ -189,7 +189,7 @@ def test_a_class_plays_the_short_lesson_from_a_phone_and_downloads_its_votes(scr
         press(".st-key-class_reveal")
         rerun(phone)
         expect(wall.locator("h1")).to_have_text([stop.heading])
-        expect(wall.locator(".face")).to_be_visible(visible=stop.dials)
+        expect(wall.locator(".face")).to_be_visible(visible=stop.shows_dials)
         expect(phone.locator("h1")).to_have_text([stop.heading])
         expect(phone.locator("svg.machine")).to_be_visible()
         settle(phone)

@@ -438,10 +438,10 @@ MISSED = {
 def test_every_task_can_be_done_and_missed(name):
     judge = lesson.find_task(name).judge
     verdict = judge(SOLVED[name])
-    assert verdict.done, verdict.sentence
+    assert verdict.is_done, verdict.sentence
     for missed in MISSED[name]:
         verdict = judge(missed)
-        assert not verdict.done
+        assert not verdict.is_done
         assert verdict.sentence.endswith((".", "?"))
 
 
@@ -500,7 +500,7 @@ def test_the_verdict_states_the_true_displacements():
 
 def test_the_short_lesson_states_the_equation_before_its_root():
     """The short lesson does not contain the stop that solves the equation."""
-    texts = [(stop.question, stop.exhibit) for stop in lesson.STOPS if stop.short]
+    texts = [(stop.question, stop.exhibit) for stop in lesson.STOPS if stop.is_in_short_lesson]
     [(question, exhibit)] = [(question, exhibit) for question, exhibit in texts if "√1729" in question]
     a, b, c = re.search(r"(\d+)ε² \+ (\d*)ε − (\d+) = 0", question.replace("\xa0", " ")).groups()
     assert abs(int(a) * root() ** 2 + int(b or 1) * root() - int(c)) < 1e-12

@@ -409,7 +409,7 @@ def test_the_desk_takes_the_class_back_view_by_view(lecturer, school):
     press(lecturer, "reveal")
     assert student.run().get("progress")
     # The desk opens a stop that the class has not reached.
-    lecturer.session_state["stop"] = [stop.id for stop in lesson.STOPS if stop.short][3]
+    lecturer.session_state["stop"] = [stop.id for stop in lesson.STOPS if stop.is_in_short_lesson][3]
     lecturer.run()
     assert keys() == [("pageup", False), ("pagedown", False)]
     press(lecturer, "back")
@@ -420,7 +420,7 @@ def test_at_the_end_the_class_sees_its_results_without_the_code(lecturer, school
     students = [visitor(**{"class": code_of(lecturer)}) for _ in range(2)]
     code = code_of(lecturer)
     wall = visitor(**{"class": code, "wall": "on"})
-    path = [stop for stop in lesson.STOPS if stop.short]
+    path = [stop for stop in lesson.STOPS if stop.is_in_short_lesson]
     press(lecturer, "ask")
     for student, option in zip(students, (WRONG, RIGHT), strict=True):
         answer(student.run(), option)

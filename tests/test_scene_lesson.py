@@ -234,7 +234,7 @@ def test_hints_come_one_by_one(opened):
 
 
 def test_the_short_lesson_has_six_stops_and_an_end_with_the_answers(opened):
-    short = [stop for stop in lesson.STOPS if stop.short]
+    short = [stop for stop in lesson.STOPS if stop.is_in_short_lesson]
     assert len(short) == 6
     assert sum(stop.minutes for stop in short) <= 20
     first, second, *others = short

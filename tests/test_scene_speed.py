@@ -194,7 +194,7 @@ def test_the_challenge_shows_the_methods_after_a_try_and_judges_as_the_lesson_do
         app.button(key="run").click().run()
         assert len(app.get("plotly_chart")) == drawn + 1
         verdict = lesson.find_task("cheapest").judge(lesson.Attempt(method="rk4", steps=steps))
-        assert verdict.done == done
+        assert verdict.is_done == done
         [text] = [text.value for text in app.markdown if escape(verdict.sentence) in text.value]
         assert ("Done." in text, "Not yet." in text) == (done, not done)
     assert app.query_params["tries"] == "rk4.13,rk4.14"

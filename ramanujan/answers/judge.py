@@ -107,7 +107,7 @@ def _compare(question: Question, typed: sp.Expr, letters: list[sp.Symbol]) -> Ve
     if needless:
         sentence = _("Right! The formula can be written without {names}.")
         return Verdict("unsimplified", sentence.format(names=terms.join_names(needless)))
-    may_be_long = question.any_form or question.kind == EQUATION
+    may_be_long = question.accepts_any_form or question.kind == EQUATION
     if not may_be_long and length(typed) > question.longest_form:
         return Verdict("unsimplified", _("Right! The formula can be written shorter."))
     return Verdict("right", _("Right!"))
@@ -155,7 +155,7 @@ def _is_explained(question: Question, difference: Difference) -> bool:
     """
     if difference.next_question or difference.is_whole:
         return True
-    return difference.is_slip and not question.of_one_body
+    return difference.is_slip and not question.is_about_one_body
 
 
 def _explain_difference(question: Question, typed: sp.Expr, difference: Difference) -> list[str]:
@@ -185,7 +185,7 @@ def _find_hint(mistakes: values.Mistakes, typed_values: values.Values) -> str | 
 def _explain_wrong_bodies(question: Question, typed_values: values.Values) -> str | None:
     """Return the hint at a wrong body, None if no wrong body explains the answer."""
     hint = _find_hint(question.values_of_wrong_bodies, typed_values)
-    if hint or not question.of_one_body:
+    if hint or not question.is_about_one_body:
         return hint
     hint_without_half = _find_hint(question.values_of_wrong_bodies, tuple(value / 2 for value in typed_values))
     if hint_without_half:
@@ -231,8 +231,8 @@ def _explain_foreign_names(question: Question, typed: sp.Expr) -> str | None:
     """Return a sentence about the names that do not belong in the answer, None if there are none."""
     expected = leaves(question.right)
     others = {name: symbol for name, symbol in SYMBOLS.items() if name != "eps" and symbol not in expected}
-    of_ratio = SYMBOLS["eps"] in expected
-    foreign = [name for name, symbol in others.items() if values.depends_on(typed, symbol, of_ratio=of_ratio)]
+    is_in_ratio = SYMBOLS["eps"] in expected
+    foreign = [name for name, symbol in others.items() if values.depends_on(typed, symbol, is_in_ratio=is_in_ratio)]
     if not foreign:
         return None
     if question.name == "potential_energy" and foreign in (["X"], ["Phi"]):

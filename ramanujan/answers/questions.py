@@ -48,7 +48,7 @@ class Question:
     of_terms : product of names, as shown → the next question about its coefficient
     letters : letter of the textbook → its meaning here, and a question about the meaning
     variables : the variables of the answer as a polynomial
-    any_form : whether an unsimplified form is right, too; for an equation it always is
+    accepts_any_form : whether an unsimplified form is right, too; for an equation it always is
     symbol : the name of the answer in the prompt, if no step of the route defines it
     """
 
@@ -65,7 +65,7 @@ class Question:
     of_terms: Mapping[str, str] = field(default_factory=dict)
     letters: Mapping[sp.Symbol, tuple[sp.Expr, str]] = field(default_factory=dict)
     variables: tuple[str, ...] = NAMES
-    any_form: bool = False
+    accepts_any_form: bool = False
     symbol: sp.Symbol | None = None
 
     @cached_property
@@ -74,7 +74,7 @@ class Question:
         return self.answer()
 
     @property
-    def of_one_body(self) -> bool:
+    def is_about_one_body(self) -> bool:
         """Whether the question is about one body."""
         return any(self.name == f"kinetic_energy_{body}" for body in BODY_NAMES)
 
@@ -116,7 +116,7 @@ class Question:
         ------
         terms.NotComparableError : under the conditions of `terms.to_fraction`.
         """
-        return to_fraction(formula, of_ratio=epsilon in leaves(self.right))
+        return to_fraction(formula, is_in_ratio=epsilon in leaves(self.right))
 
     @cached_property
     def right_values(self) -> Values:
@@ -343,7 +343,7 @@ _ALL = (
         find_slips=mistakes.find_lagrangian_slips,
         of_machine=lambda bodies: bodies.kinetic_energy - bodies.potential_energy,
         variables=MOTION,
-        any_form=True,
+        accepts_any_form=True,
     ),
     Question(
         name="block_momentum",

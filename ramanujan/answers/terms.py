@@ -125,20 +125,20 @@ def find_names(formula: FracElement) -> frozenset[str]:
     return frozenset(name for name, powers in powers_of_names if any(powers))
 
 
-def to_fraction(expression: sp.Expr, *, of_ratio: bool = False) -> FracElement:
+def to_fraction(expression: sp.Expr, *, is_in_ratio: bool = False) -> FracElement:
     """Return a formula in lowest terms.
 
     Parameters
     ----------
     expression : the formula, which may be unevaluated
-    of_ratio : whether to replace m′ by εm, for a formula in the mass ratio; otherwise m′/m replaces ε
+    is_in_ratio : whether to replace m′ by εm, for a formula in the mass ratio; otherwise m′/m replaces ε
 
     Raises
     ------
     NotComparableError : it is too large, or contains a root.
     """
     _check_size(expression)
-    masses = {m_prime: epsilon * m} if of_ratio else {epsilon: m_prime / m}
+    masses = {m_prime: epsilon * m} if is_in_ratio else {epsilon: m_prime / m}
     numbers = {decimal: sp.Rational(decimal.name) for decimal in find_decimals(expression)}
     try:
         return FIELD.from_expr(expression.xreplace(masses | numbers).doit())

@@ -62,8 +62,8 @@ def list_remarks() -> tuple[Remark, ...]:
 
 
 def _taxicab() -> Remark:
-    taxicab, _ways = _smallest_in_two_ways(signed=False)
-    n, ways = _smallest_in_two_ways(signed=True)
+    taxicab, _ways = _smallest_in_two_ways(allows_negative=False)
+    n, ways = _smallest_in_two_ways(allows_negative=True)
     sides = [str(n)]
     for a, b in ways:
         cubes = [f"{root}^3" if root > 0 else f"({root})^3" for root in sorted((a, b), reverse=True)]
@@ -175,13 +175,13 @@ def _solves(spectrum: Modes, motion: tuple[sp.Expr, ...]) -> bool:
     return (spectrum.mass_matrix * q.diff(t, 2) + spectrum.stiffness_matrix * q).applyfunc(sp.simplify).is_zero_matrix
 
 
-def _smallest_in_two_ways(*, signed: bool) -> tuple[int, list[tuple[int, int]]]:
+def _smallest_in_two_ways(*, allows_negative: bool) -> tuple[int, list[tuple[int, int]]]:
     """Return the smallest positive number with two representations a³ + b³, and both representations.
 
-    If `signed`, a and b may be negative. The search is complete up to 1729: the smallest positive a³ + b³ with a < −23
-    is 25³ − 24³ = 1801, and 13³ is greater than 1729, too.
+    With `allows_negative`, a and b may be negative. The search is complete up to 1729: the smallest positive a³ + b³
+    with a < −23 is 25³ − 24³ = 1801, and 13³ is greater than 1729, too.
     """
-    cubes = [a for a in range(-24 if signed else 1, 26) if a != 0]
+    cubes = [a for a in range(-24 if allows_negative else 1, 26) if a != 0]
     ways: dict[int, list[tuple[int, int]]] = {}
     for a, b in combinations_with_replacement(cubes, 2):
         ways.setdefault(a**3 + b**3, []).append((a, b))

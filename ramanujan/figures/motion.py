@@ -25,7 +25,7 @@ class Curve:
     """A curve against time, with its values at equal steps.
 
     `name` appears in the hover text, `label` in the legend, once for all curves with the same label. Curves that are
-    `stacked` are filled and lie on top of each other.
+    `is_stacked` are filled and lie on top of each other.
     """
 
     name: str
@@ -34,8 +34,8 @@ class Curve:
     label: str
     width: float = 2.5
     dash: str = "solid"
-    stacked: bool = False
-    hatched: bool = False
+    is_stacked: bool = False
+    is_hatched: bool = False
 
     @property
     def look(self) -> dict[str, Any]:
@@ -228,8 +228,8 @@ def _trace(
         # Plotly writes a minus sign with this property, but a hyphen with a format in the template.
         "yhoverformat": ".3~g",
     }
-    if curve.stacked:
+    if curve.is_stacked:
         trace |= {"stackgroup": "stack", "fillcolor": curve.color, "line": curve.look | {"width": 0.5}}
-        if curve.hatched:
+        if curve.is_hatched:
             trace["fillpattern"] = {"shape": "/", "size": 5, "solidity": 0.35, "fgcolor": curve.color}
     return trace

@@ -182,7 +182,7 @@ TASKS = (
         ),
         judge=judge_cheapest,
         fields=("method", "steps"),
-        stage=False,
+        has_stage=False,
     ),
     Task(
         id="two-cubes",
@@ -202,6 +202,6 @@ TASKS = (
         ),
         judge=judge_two_cubes,
         fields=("bodies",),
-        stage=False,
+        has_stage=False,
     ),
 )

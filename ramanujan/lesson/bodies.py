@@ -170,7 +170,7 @@ STOPS = (
             "ruler."
         ),
         layers=("traces",),
-        short=True,
+        is_in_short_lesson=True,
         onward=Onward(_("Compare the displacements on the page Motion"), "motion", {"figure": "displacements"}),
     ),
     Stop(
@@ -242,7 +242,7 @@ STOPS = (
         ),
         purpose=_("Students compare kinetic energy of translation and of rotation."),
         expect=_("The hoop is a popular answer, and it comes second. The machine may run while the class thinks."),
-        short=True,
+        is_in_short_lesson=True,
         minutes=3,
         hides=(*FREQUENCY, "energy", "arrows"),
         layers=("energy",),

@@ -91,9 +91,9 @@ STOPS = (
             "Many add up all masses and expect a far slower machine. The answer “exactly together” appeals to those "
             "who know the title."
         ),
-        short=True,
+        is_in_short_lesson=True,
         minutes=4,
-        dials=True,
+        shows_dials=True,
         periods=_PERIODS,
         onward=Onward(_("See the two clocks on the page Oscillator")),
     ),
@@ -128,7 +128,7 @@ STOPS = (
         purpose=_("Students learn to separate travelling from spinning."),
         expect=_("Those who noticed that the lower rollers hardly move often answer that their mass cannot matter."),
         runs=(Run(LIGHT),),
-        dials=True,
+        shows_dials=True,
         onward=Onward(_("Change the rollers on the page Oscillator")),
     ),
     Stop(
@@ -164,7 +164,7 @@ STOPS = (
         purpose=_("The order of the two clocks changes, so there must be a ratio at which they agree."),
         expect=_("Most get it right after the previous stop. Ask for the argument with the intermediate value."),
         runs=(Run(HEAVY),),
-        dials=True,
+        shows_dials=True,
         periods=_PERIODS,
         onward=Onward(_("Change the rollers on the page Oscillator")),
     ),
@@ -198,7 +198,7 @@ STOPS = (
         purpose=_("Dimensional analysis gives the answer: k can enter a period only as 1/√k."),
         expect=_("“Larger” is common: a stiff spring is thought to favour the complicated machine."),
         changed_machine=STIFF,
-        dials=True,
+        shows_dials=True,
         onward=Onward(_("Drag k on the page Oscillator")),
     ),
     Stop(

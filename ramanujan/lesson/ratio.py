@@ -201,9 +201,9 @@ STOPS = (
             "and set them: machine and hands on the wall follow."
         ),
         sliders=_("Set m′ so that both hands stay together."),
-        short=True,
+        is_in_short_lesson=True,
         minutes=3,
-        dials=True,
+        shows_dials=True,
         onward=Onward(_("Find it with the slider on the page Oscillator")),
     ),
     Stop(
@@ -258,7 +258,7 @@ STOPS = (
         expect=_("Many trust the decimal number. Let students put their mass into the equation."),
         minutes=3,
         changed_machine=IN_STEP,
-        dials=True,
+        shows_dials=True,
         onward=Onward(_("See the solution on the page 1729"), "taxicab"),
     ),
     Stop(
@@ -297,7 +297,7 @@ STOPS = (
         hints=(_("Work out b² and −4ac separately."),),
         purpose=_("Students separate what follows from the coefficients from what is a coincidence."),
         expect=_("Many expect a deep reason for both sums. Say clearly that none is known."),
-        short=True,
+        is_in_short_lesson=True,
         minutes=3,
         runs=(Run(IN_STEP),),
         hides=FREQUENCY,
@@ -339,7 +339,7 @@ STOPS = (
         expect=_("Many believe that a body that rolls freely cannot matter."),
         minutes=3,
         runs=(Run(IN_STEP, bodies=OTHER.bodies),),
-        dials=True,
+        shows_dials=True,
         onward=Onward(_("Choose the bodies on the page 1729"), "taxicab", {"top": OTHER.top}),
     ),
 )

@@ -90,11 +90,11 @@ class Stop:
     hints : questions that lead to the answer, shown one by one
     purpose, expect : notes for the lecturer: the purpose of the stop, and frequent answers with their reasons
     minutes : duration in class
-    short : whether the stop also belongs to the short lesson
+    is_in_short_lesson : whether the stop also belongs to the short lesson
     runs : the machines; only the first is visible before the prediction
     hides : parts of the stage that would reveal the answer, names of `stage.PARTS`
     layers : optional layers of the stage after the prediction
-    dials : whether the stage shows its clocks, and after the prediction its gauge
+    shows_dials : whether the stage shows its clocks, and after the prediction its gauge
     periods : number of periods of the plain mass to which a button sets both clocks after the answer
     exhibit : Markdown above the machine, such as a program
     outcome : the exhibit after the prediction, with the observation, such as the output of the program
@@ -117,11 +117,11 @@ class Stop:
     question_numbers: Mapping[str, object] = field(default_factory=lambda: MappingProxyType({}))
     answer_numbers: Callable[[], Mapping[str, object]] = dict
     minutes: int = 2
-    short: bool = False
+    is_in_short_lesson: bool = False
     runs: tuple[Run, ...] = (Run(),)
     hides: tuple[str, ...] = EVERYTHING
     layers: tuple[str, ...] = ()
-    dials: bool = False
+    shows_dials: bool = False
     periods: int = 0
     exhibit: str = ""
     outcome: str = ""

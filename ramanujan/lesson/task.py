@@ -42,12 +42,12 @@ class Attempt:
 class TaskVerdict:
     """The verdict on an attempt.
 
-    done : whether the goal is reached
+    is_done : whether the goal is reached
     sentence : the distance from the goal in words; without an attempt, instructions
     is_judged : whether there was an attempt, such as a typed number or a measurement
     """
 
-    done: bool
+    is_done: bool
     sentence: str
     is_judged: bool = True
 
@@ -96,7 +96,7 @@ class Task:
     judge : computes the verdict on an attempt
     fields : fields of an `Attempt` that the task needs besides the sidebar
     hides : parts of the stage that would solve the task, names of `stage.PARTS`
-    stage : whether the task shows the stage
+    has_stage : whether the task shows the stage
     """
 
     id: str
@@ -106,4 +106,4 @@ class Task:
     judge: Callable[[Attempt], TaskVerdict]
     fields: tuple[str, ...] = ()
     hides: tuple[str, ...] = ()
-    stage: bool = True
+    has_stage: bool = True

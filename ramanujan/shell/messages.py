@@ -34,16 +34,16 @@ def warn(sentence: str) -> None:
     st.session_state[_ABOUT_ADDRESS] = [*st.session_state.get(_ABOUT_ADDRESS, []), sentence]
 
 
-def note(key: str, sentence: str, warning: bool = False) -> None:
+def note(key: str, sentence: str, is_warning: bool = False) -> None:
     """Store a sentence for the next run, which shows it at the box of a parameter.
 
     Parameters
     ----------
     key : key of the parameter
     sentence : the message
-    warning : whether to show it as a warning instead of a note
+    is_warning : whether to show it as a warning instead of a note
     """
-    st.session_state[_NOTES] = {**st.session_state.get(_NOTES, {}), key: (sentence, warning)}
+    st.session_state[_NOTES] = {**st.session_state.get(_NOTES, {}), key: (sentence, is_warning)}
 
 
 def show_note(key: str) -> None:

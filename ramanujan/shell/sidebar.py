@@ -289,7 +289,7 @@ def set_number(key: str, text: str) -> None:
     sentence = SENTENCES["unreadable" if number is None else "outside"]
     limits = {"least": written(parameter.least, strip=True), "most": parameter.with_unit(parameter.most)}
     sentence = sentence.format(symbol=parameter.symbol, old=parameter.with_unit(parameter.value), **limits)
-    messages.note(parameter.name, sentence, warning=True)
+    messages.note(parameter.name, sentence, is_warning=True)
 
 
 def _multiply(ratio: float, m: float, digits: int) -> float:

@@ -16,7 +16,7 @@ from ramanujan.translation import _, ngettext
 RESULTS_HEADING = _("What the class has learned")
 
 
-def show(code: str, stop: Stop, vote: Vote, solved: bool, chosen: str | None = None) -> None:
+def show(code: str, stop: Stop, vote: Vote, is_solved: bool, chosen: str | None = None) -> None:
     """Draw the result of a question.
 
     Parameters
@@ -24,7 +24,7 @@ def show(code: str, stop: Stop, vote: Vote, solved: bool, chosen: str | None = N
     code : code of the class
     stop : stop with the question
     vote : the last vote
-    solved : whether to show the right answer and its number of votes
+    is_solved : whether to show the right answer and its number of votes
     chosen : the student's own answer in the last vote
     """
     try:
@@ -32,14 +32,14 @@ def show(code: str, stop: Stop, vote: Vote, solved: bool, chosen: str | None = N
     except ClassError as error:
         st.warning(str(error))
         return
-    right = stop.right if solved else None
+    right = stop.right if is_solved else None
     label_width, chart_width = 3, 2
     widths = [label_width, *(chart_width for _vote in all_votes)]
     # In a narrow chart the style sheet shows the names of the votes in the bars instead of the headings.
     templates = (_("*First vote:* {share}"), _("*Second vote:* {share}")) if vote.is_second else ("{share}",)
     with st.container(key="class_result"):
         changes_sentence = _changes_sentence(changes)
-        if solved and changes_sentence:
+        if is_solved and changes_sentence:
             with st.container(key="class_changes"):
                 st.markdown(changes_sentence)
         if vote.is_second:
@@ -49,7 +49,7 @@ def show(code: str, stop: Stop, vote: Vote, solved: bool, chosen: str | None = N
                     heading.markdown(f"**{name}**")
         for option, text in stop.options.items():
             label, *charts = st.columns(widths, gap="small")
-            label.markdown(_label(text, option == right, option == chosen))
+            label.markdown(_mark_label(text, option == right, option == chosen))
             for chart, votes, template in zip(charts, all_votes, templates, strict=True):
                 total = sum(votes.values())
                 share = votes[option] / total if total else 0.0
@@ -70,15 +70,15 @@ def _result(code: str, stop: str, vote: Vote) -> tuple[Sequence[Mapping[str, int
     return votes, shared().count_changes(code, stop, right, vote.asking)
 
 
-def _label(label: str, right: bool, own: bool) -> str:
+def _mark_label(label: str, is_right: bool, is_own: bool) -> str:
     """Return the label of an option, marked if it is right or the student's own answer."""
-    if right and own:
+    if is_right and is_own:
         return _(":green[:material/check_circle:] **{label}** – This is right, and it was your answer.").format(
             label=label
         )
-    if right:
+    if is_right:
         return _(":green[:material/check_circle:] **{label}** – This is right.").format(label=label)
-    if own:
+    if is_own:
         return _("{label} – *This was your answer.*").format(label=label)
     return label
 

@@ -172,7 +172,7 @@ def draw_notes(_head: st.delta_generator.DeltaGenerator) -> None:
 def _draw_introduction() -> None:
     """Draw the introduction of the notes, and the choice of the lesson's length."""
     st.title(_("Lecturer’s notes"), anchor=False)
-    lengths = {"short": [stop for stop in lesson.STOPS if stop.short], "all": lesson.STOPS}
+    lengths = {"short": [stop for stop in lesson.STOPS if stop.is_in_short_lesson], "all": lesson.STOPS}
     template = _("{stops} stops in {minutes} minutes")
     labels = {}
     for length, included in lengths.items():

@@ -81,7 +81,7 @@ def path() -> tuple[Stop, ...]:
     """Return the stops of this lesson: all, or those of a short lecture and the current one."""
     length = address.current(LENGTH) or ("short" if class_session.lecturer_key() else "all")
     current = address.current(STOP)
-    return tuple(stop for stop in lesson.STOPS if length == "all" or stop.short or stop.id == current)
+    return tuple(stop for stop in lesson.STOPS if length == "all" or stop.is_in_short_lesson or stop.id == current)
 
 
 def following(stop: Stop) -> Stop | None:

@@ -200,7 +200,7 @@ def _arrangement(stop: Stop, running: bool) -> str:
     """Return the key with which the style sheets select the size of the picture."""
     if len(stop.runs) > 1 and running:
         return _SEVERAL[len(stop.runs)]
-    return "part" if stop.dials or stop.exhibit else "one"
+    return "part" if stop.shows_dials or stop.exhibit else "one"
 
 
 def draw_options(stop: Stop) -> None:
@@ -298,7 +298,7 @@ def draw_machines(stop: Stop, running: bool, fixed: bool) -> None:
             clock=f"stop_{stop.id}",
             layers=stop.layers,
             compact=has_several,
-            dials=stop.dials,
+            dials=stop.shows_dials,
             narrow=True,
             label=run.label if running or not has_several else None,
             hide=hidden,

@@ -116,7 +116,7 @@ def _energy(motion: Record, colors: Mapping[str, str]) -> EncodedFigure:
     curves = []
     for key, values in motion.energies.items():
         body, _between, kind = key.partition("_")
-        curve = _body_curve(body, values * 1e3, colors, stacked=True, hatched=kind == "rotation")
+        curve = _body_curve(body, values * 1e3, colors, is_stacked=True, is_hatched=kind == "rotation")
         curves.append(replace(curve, name=energy_name(key)))
     total = 1e3 * motion.total_energy
     curves.append(Curve(_("total energy"), total, colors["ink"], _("total energy"), width=3))

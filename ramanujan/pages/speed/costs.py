@@ -29,9 +29,9 @@ _PATIENCE = 0.2
 def draw_costs(periods: int) -> Callable[[], None]:
     """Draw the fast part of the section; return a function that measures and draws the diagram."""
     st.header(_("What accuracy costs on this server"), anchor=False)
-    requested = st.session_state.get(_REQUESTED, is_projector())  # A slide shows its diagram at once.
-    by, tolerance = draw_controls(requested)
-    if not requested:
+    is_requested = st.session_state.get(_REQUESTED, is_projector())  # A slide shows its diagram at once.
+    by, tolerance = draw_controls(is_requested)
+    if not is_requested:
         explain_measurement()
         return lambda: None
     container = st.container()
@@ -44,10 +44,10 @@ def draw_costs(periods: int) -> Callable[[], None]:
     return measure_and_draw
 
 
-def draw_controls(requested: bool) -> tuple[str, float]:
+def draw_controls(is_requested: bool) -> tuple[str, float]:
     """Draw the button and the options; return the kind of cost and the tolerated error."""
     with st.container(horizontal=True, vertical_alignment="bottom"):
-        label = _("Measure again") if requested else _("Measure on this server")
+        label = _("Measure again") if is_requested else _("Measure on this server")
         st.button(label, key="measure", icon=":material/timer:", type="primary", on_click=_request_measurement)
         by = widgets.segmented_control(COST, _("Cost"))
         return by, float(widgets.select_slider(TOLERANCE, _("Error that you allow"), width=320))

@@ -122,7 +122,7 @@ def draw_name_box() -> None:
             st.session_state[SEED.name] = name
         else:
             sentence = _("A worksheet’s name has {n:word} letters, all from {letters}. The old name was kept.")
-            messages.note(SEED.name, filled(sentence, n=worksheet_keys.LETTERS, letters=ALPHABET), warning=True)
+            messages.note(SEED.name, filled(sentence, n=worksheet_keys.LETTERS, letters=ALPHABET), is_warning=True)
 
     st.session_state["worksheet_name"] = group_code(address.current(SEED))
     st.text_input(

@@ -42,7 +42,7 @@ def draw_exercise(items: tuple[str, ...]) -> None:
         draw_question(item, has_key)
     else:
         verdict = tasks.draw_task(lesson.find_task(item))
-        if verdict.done:
+        if verdict.is_done:
             questions.store_answer(item, verdict.sentence, is_right=True)
 
 

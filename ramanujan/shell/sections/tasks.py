@@ -34,10 +34,10 @@ _EXAMPLE = _("For example {entry}")
 def draw_task(task: Task) -> TaskVerdict:
     """Draw a task, and return the verdict on the current settings."""
     with slide("task", task.heading):
-        container = st.container(key="beside" if task.stage else None)
-        if task.stage and is_projector():
+        container = st.container(key="beside" if task.has_stage else None)
+        if task.has_stage and is_projector():
             picture, words = picture_and_words()
-        elif task.stage:
+        elif task.has_stage:
             words, picture = container.columns(2, gap="medium")
         else:
             words = picture = container
@@ -49,7 +49,7 @@ def draw_task(task: Task) -> TaskVerdict:
             attempt = Attempt(machine=sidebar.oscillator(), compression=sidebar.compression(), **typed)
             if not task.fields:
                 st.markdown(_(":small[Set the machine with its sliders.]"))
-        if task.stage:
+        if task.has_stage:
             with picture:
                 draw_machine(task, attempt)
         # In the projector view there is room below a machine without clocks.
@@ -68,7 +68,7 @@ def draw_verdict(task: Task, attempt: Attempt) -> TaskVerdict:
         st.markdown(f":small[{sentence}]")
         return verdict
     done, not_yet = _("Done."), _("Not yet.")
-    if verdict.done:
+    if verdict.is_done:
         heading = f":green[:material/check_circle: **{done}**]"
     else:
         heading = f":orange[:material/flag: **{not_yet}**]"
