@@ -9,6 +9,7 @@ import io
 import os
 import random
 from collections import Counter
+from collections.abc import Callable
 
 import pytest
 import zxingcpp
@@ -126,136 +127,158 @@ def play_without_screens(key: str, stop: lesson.Stop, seats: list[Seat]) -> Coun
     return Counter({option: len(seats)})
 
 
-def test_a_class_plays_the_short_lesson_from_a_phone_and_downloads_its_votes(screen):
-    draw, cast = random.Random(1729), []
-    desk = screen("")
-    desk.locator(".st-key-class_door button").first.click()
-    desk.locator(".st-key-class_open button").click()
-    wall_link = desk.get_by_role("link", name="Open the wall").get_attribute("href")
-    query = wall_link.partition("?")[2]
-    wall = screen(query, *SIZES[0])
-    walls = [wall]
-    code = query.partition("class=")[2][:6]
-    phone = screen(f"class={code}")
-    tab = screen(f"class={code}", beside=phone)
-    for each in (phone, tab):
-        each.get_by_text("The first question will appear here").wait_for()
-    seats = [shared().join(code, f"student {number}") for number in range(2)]
-    total = 1 + len(seats)
-    rerun(*walls)
+class Screens:
+    """A desk on a phone, walls, and a student's phone of one class. Two other students vote without a browser."""
+
+    def __init__(self, screen: Callable[..., Page]) -> None:
+        self.screen, self.random = screen, random.Random(1729)
+        self.desk = screen("")
+        self.desk.locator(".st-key-class_door button").first.click()
+        self.desk.locator(".st-key-class_open button").click()
+        wall_link = self.desk.get_by_role("link", name="Open the wall").get_attribute("href")
+        self.query = wall_link.partition("?")[2]
+        self.wall = screen(self.query, *SIZES[0])
+        self.walls = [self.wall]
+        self.code = self.query.partition("class=")[2][:6]
+        self.phone = screen(f"class={self.code}")
+        self.tab = screen(f"class={self.code}", beside=self.phone)
+        for page in (self.phone, self.tab):
+            page.get_by_text("The first question will appear here").wait_for()
+        self.seats = [shared().join(self.code, f"student {number}") for number in range(2)]
+        self.students = 1 + len(self.seats)
+        self.key = self.desk.url.partition("lecturer=")[2].partition("&")[0]
+
+    def press(self, following: str) -> None:
+        """Press the button of the next move, and wait until the desk shows the element `following`."""
+        self.desk.bring_to_front()
+        box = self.desk.locator(".st-key-class_moves [data-testid=stBaseButton-primary]").bounding_box()
+        assert box["y"] + box["height"] <= 844
+        self.desk.mouse.click(box["x"] + box["width"] / 2, box["y"] + box["height"] / 2)
+        self.desk.locator(following).wait_for()
+        settle(self.desk)
+        rerun(*self.walls)
+
+    def wait_for_moment(self, leader: Page) -> None:
+        """Wait until all walls and desks show the same moment as the leading desk."""
+        moment = leader.evaluate(AT)
+        assert not moment["playing"]
+        expected = [pytest.approx(moment[name], abs=1e-4) for name in ("time", "periods")]
+        for page in (self.desk, *self.walls):
+            while [page.evaluate(AT)[name] for name in ("time", "periods")] != expected:
+                rerun(page)
+                page.wait_for_timeout(100)
+
+
+def check_code(screens: Screens) -> None:
+    """Check that the wall shows the number of students, large letters, and a QR code of the class."""
+    wall = screens.wall
+    rerun(*screens.walls)
     wall.get_by_text("3 students have joined").wait_for()
     letters = wall.locator(".st-key-class_letters [data-testid=stText]")
-    assert letters.text_content().replace(" ", "") == code
+    assert letters.text_content().replace(" ", "") == screens.code
     for width, height in SIZES[:2]:
         wall.set_viewport_size({"width": width, "height": height})
         assert letters.evaluate(WIDEST_CODE) > 0.09 * height
     for width, height in reversed(SIZES[:2]):
         wall.set_viewport_size({"width": width, "height": height})
-        [read] = zxingcpp.read_barcodes(Image.open(io.BytesIO(wall.screenshot())))
-        assert read.text.endswith(f"/lesson?class={code}")
-    key = desk.url.partition("lecturer=")[2].partition("&")[0]
-    secret = key.partition("-")[2]
+        [barcode] = zxingcpp.read_barcodes(Image.open(io.BytesIO(wall.screenshot())))
+        assert barcode.text.endswith(f"/lesson?class={screens.code}")
+
+
+def check_question(screens: Screens, stop: lesson.Stop) -> None:
+    """Open the question of a stop, and check that wall and phone show it."""
+    screens.press(".st-key-class_reveal")
+    wall, phone = screens.wall, screens.phone
+    rerun(phone)
+    expect(wall.locator("h1")).to_have_text([stop.heading])
+    expect(wall.locator(".face")).to_be_visible(visible=stop.shows_dials)
+    expect(phone.locator("h1")).to_have_text([stop.heading])
+    expect(phone.locator("svg.machine")).to_be_visible()
+    settle(phone)
+    check_open_question_in_view(phone)
+
+
+def change_vote_in_tab(screens: Screens, number: int) -> int:
+    """Change the student's vote in another tab, which shows it. Return the number of the new option."""
+    phone, tab = screens.phone, screens.tab
+    rerun(tab)
+    expect(tab.locator(VOTES).nth(number).locator("input")).to_be_checked()
+    new_number = (number - 1) % tab.locator(VOTES).count()
+    vote(tab, new_number)
+    tab.close()
+    # A reload preserves the last vote.
+    phone.reload()
+    expect(phone.locator(VOTES).nth(new_number).locator("input")).to_be_checked()
+    return new_number
+
+
+def check_votes(screens: Screens, stop: lesson.Stop, has_tab: bool) -> tuple[str, Counter]:
+    """Vote at random as all students. Return the vote of the student with the phone, and all votes."""
+    options = list(stop.options)
+    own, *others = (screens.random.choice(options) for _ in range(screens.students))
+    vote(screens.phone, options.index(own))
+    if has_tab:
+        own = options[change_vote_in_tab(screens, options.index(own))]
+    for seat, option in zip(screens.seats, others, strict=True):
+        shared().vote(seat, stop.id, option)
+    rerun(screens.phone, screens.desk, screens.wall)
+    expect(screens.desk.locator(".st-key-class_desk")).to_contain_text("Answers: 3 of 3")
+    assert screens.wall.locator("[data-testid=stProgress]").count() == 0
+    return own, Counter([own, *others])
+
+
+def check_result(screens: Screens, stop: lesson.Stop, votes: Counter) -> None:
+    """Show the result and the running machine, and check that the wall does not show the right answer."""
+    screens.press(".st-key-class_run")
+    total = screens.students
+    shares = [f"{votes[o]} of {total}, {round(100 * votes[o] / total)}\u202f%" for o in stop.options]
+    expect(screens.wall.locator("[data-testid=stProgress]")).to_have_text(shares)
+    screens.press(".st-key-class_solve")
+    screens.wall.locator("svg.machine .body.slab").first.wait_for()
+    assert screens.wall.get_by_text("This is right").count() == 0
+
+
+def check_common_view(screens: Screens) -> None:
+    """Check that a second desk and a later wall begin at the moment of the others, and that each desk follows."""
+    desk = screens.desk
+    for _ in range(2):
+        desk.locator(".st-key-stage_two-clocks_0 [data-do=play]").click()
+        desk.wait_for_timeout(400)
+    screens.wait_for_moment(desk)
+    second_desk = screens.screen(desk.url.partition("?")[2])
+    later_wall = screens.screen(screens.query, *SIZES[2])
+    screens.walls += [second_desk, later_wall]
+    for leader, place in ((desk, "0.7"), (second_desk, "0.2")):
+        leader.locator(".st-key-stage_two-clocks_0 .scrub input").fill(place)
+        settle(leader)
+        screens.wait_for_moment(leader)
+    for page in (screens.walls.pop(), screens.walls.pop()):
+        page.close()
+
+
+def check_answer(screens: Screens, stop: lesson.Stop) -> None:
+    """Show the right answer, and check that the machine stays on the wall."""
+    screens.press(".st-key-class_desk :text('This is right')")
+    screens.wall.get_by_text("This is right").wait_for()
+    assert screens.wall.locator("svg.machine .body.slab").first.is_visible()
+
+
+def check_reply(screens: Screens, stop: lesson.Stop, own: str) -> None:
+    """Check that the phone also shows the machine and the reply to the student's answer."""
+    phone, desk, wall = screens.phone, screens.desk, screens.wall
+    rerun(phone)
+    sentence = "it was your answer" if own == stop.answer() else stop.reply(own).replace("*", "")[:30]
+    phone.get_by_text(sentence).first.wait_for()
+    phone.locator("pre, .katex" if stop.exhibit else "svg.machine").first.wait_for()
+    widths = [page.evaluate("document.querySelector('[data-testid=stMain]').scrollWidth") for page in (phone, desk)]
+    assert max(widths) <= 390
+    secret = screens.key.partition("-")[2]
     assert len(secret) > 20
+    assert secret not in wall.content() + wall.url + phone.content() + phone.url
 
-    def press(then: str) -> None:
-        """Press the button of the next move, and wait until the desk shows the following one."""
-        desk.bring_to_front()
-        box = desk.locator(".st-key-class_moves [data-testid=stBaseButton-primary]").bounding_box()
-        assert box["y"] + box["height"] <= 844
-        desk.mouse.click(box["x"] + box["width"] / 2, box["y"] + box["height"] / 2)
-        desk.locator(then).wait_for()
-        settle(desk)
-        rerun(*walls)
 
-    def followed(leader: Page) -> None:
-        """Wait until all walls and desks show the same moment as the leading desk."""
-        place = leader.evaluate(AT)
-        assert not place["playing"]
-        for each in (desk, *walls):
-            while [each.evaluate(AT)[key] for key in ("time", "periods")] != [
-                pytest.approx(place[key], abs=1e-4) for key in ("time", "periods")
-            ]:
-                rerun(each)
-                each.wait_for_timeout(100)
-
-    for number, stop in enumerate(STOPS, start=1):
-        if number in BETWEEN:
-            cast.append(play_without_screens(key, stop, seats))
-            continue
-        if number - 1 in BETWEEN:
-            rerun(desk)
-            expect(desk.locator("h1")).to_contain_text(STOPS[number - 2].heading)
-            settle(desk)
-        press(".st-key-class_reveal")
-        rerun(phone)
-        expect(wall.locator("h1")).to_have_text([stop.heading])
-        expect(wall.locator(".face")).to_be_visible(visible=stop.shows_dials)
-        expect(phone.locator("h1")).to_have_text([stop.heading])
-        expect(phone.locator("svg.machine")).to_be_visible()
-        settle(phone)
-        check_open_question_in_view(phone)
-        options = list(stop.options)
-        own, *others = (draw.choice(options) for _ in range(total))
-        vote(phone, options.index(own))
-        if number == 1:
-            # Another tab shows the answer and can change it; a reload preserves the last answer.
-            rerun(tab)
-            expect(tab.locator(VOTES).nth(options.index(own)).locator("input")).to_be_checked()
-            own = options[options.index(own) - 1]
-            vote(tab, options.index(own))
-            tab.close()
-            phone.reload()
-            expect(phone.locator(VOTES).nth(options.index(own)).locator("input")).to_be_checked()
-        for seat, option in zip(seats, others, strict=True):
-            shared().vote(seat, stop.id, option)
-        votes = Counter([own, *others])
-        cast.append(votes)
-        rerun(phone, desk, wall)
-        expect(desk.locator(".st-key-class_desk")).to_contain_text("Answers: 3 of 3")
-        assert wall.locator("[data-testid=stProgress]").count() == 0
-
-        press(".st-key-class_run")
-        shares = [f"{votes[o]} of {total}, {round(100 * votes[o] / total)}\u202f%" for o in stop.options]
-        expect(wall.locator("[data-testid=stProgress]")).to_have_text(shares)
-        press(".st-key-class_solve")
-        picture = wall.locator("svg.machine .body.slab").first
-        picture.wait_for()
-        assert wall.get_by_text("This is right").count() == 0
-        if number == 1:
-            # A second desk and a later wall begin at the moment of the others; each desk follows the other.
-            for _ in range(2):
-                desk.locator(".st-key-stage_two-clocks_0 [data-do=play]").click()
-                desk.wait_for_timeout(400)
-            followed(desk)
-            walls += [screen(desk.url.partition("?")[2]), screen(query, *SIZES[2])]
-            for leader, place in ((desk, "0.7"), (walls[1], "0.2")):
-                leader.locator(".st-key-stage_two-clocks_0 .scrub input").fill(place)
-                settle(leader)
-                followed(leader)
-            for each in (walls.pop(), walls.pop()):
-                each.close()
-        press(".st-key-class_desk :text('This is right')")
-        wall.get_by_text("This is right").wait_for()
-        assert picture.is_visible()
-        if number == 1:
-            desk.locator(".st-key-moment button").click()
-            settle(desk)
-            followed(desk)
-            assert wall.evaluate(AT)["periods"] == pytest.approx(stop.periods)
-        if number % 3 != 2:
-            continue
-        # The phone also shows the machine and the reply to the student's answer.
-        rerun(phone)
-        sentence = "it was your answer" if own == stop.answer() else stop.reply(own).replace("*", "")[:30]
-        phone.get_by_text(sentence).first.wait_for()
-        phone.locator("pre, .katex" if stop.exhibit else "svg.machine").first.wait_for()
-        widths = [page.evaluate("document.querySelector('[data-testid=stMain]').scrollWidth") for page in (phone, desk)]
-        assert max(widths) <= 390
-        assert secret not in wall.content() + wall.url + phone.content() + phone.url
-    assert not wall.locator("header a, .st-key-pager button").first.is_visible()
-    press(".st-key-table_learned")
-    expect(wall.locator("h1")).to_have_text(["What the class has learned"])
-
+def check_download(desk: Page, votes_of_stops: list[Counter]) -> None:
+    """Check the downloaded votes of all stops."""
     desk.get_by_role("button", name="Download the results").click()
     with desk.expect_download() as download:
         desk.get_by_role("button", name="Download as CSV").click()
@@ -265,10 +288,43 @@ def test_a_class_plays_the_short_lesson_from_a_phone_and_downloads_its_votes(scr
     ]
     assert downloaded == [
         (stop.id, option, "yes" if option == stop.answer() else "no", votes[option], "")
-        for stop, votes in zip(STOPS, cast, strict=True)
+        for stop, votes in zip(STOPS, votes_of_stops, strict=True)
         for option in stop.options
     ]
     assert [row["asked_at"] for row in rows] == sorted(row["asked_at"] for row in rows)
+
+
+def test_a_class_plays_the_short_lesson_from_a_phone_and_downloads_its_votes(screen):
+    screens = Screens(screen)
+    desk, wall = screens.desk, screens.wall
+    check_code(screens)
+    votes_of_stops = []
+    for number, stop in enumerate(STOPS, start=1):
+        if number in BETWEEN:
+            votes_of_stops.append(play_without_screens(screens.key, stop, screens.seats))
+            continue
+        if number - 1 in BETWEEN:
+            rerun(desk)
+            expect(desk.locator("h1")).to_contain_text(STOPS[number - 2].heading)
+            settle(desk)
+        check_question(screens, stop)
+        own, votes = check_votes(screens, stop, has_tab=number == 1)
+        votes_of_stops.append(votes)
+        check_result(screens, stop, votes)
+        if number == 1:
+            check_common_view(screens)
+        check_answer(screens, stop)
+        if number == 1:
+            desk.locator(".st-key-moment button").click()
+            settle(desk)
+            screens.wait_for_moment(desk)
+            assert wall.evaluate(AT)["periods"] == pytest.approx(stop.periods)
+        if number % 3 == 2:
+            check_reply(screens, stop, own)
+    assert not wall.locator("header a, .st-key-pager button").first.is_visible()
+    screens.press(".st-key-table_learned")
+    expect(wall.locator("h1")).to_have_text(["What the class has learned"])
+    check_download(desk, votes_of_stops)
 
 
 def test_no_view_of_a_wall_is_cut_at_any_size(screen):

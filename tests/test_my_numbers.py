@@ -272,7 +272,9 @@ def of_route(name: str, equal_masses: bool, numbers: Numbers | None) -> Iterator
     route = ROUTES.with_equal_masses(name) if equal_masses else ROUTES[name]
     keys = [step.key for step in route.steps]
     of_rows = {key: [row.latex for row in make_rows(route[key], numbers)] for key in keys}
-    document = partial(page.document.__wrapped__, name, numbers, drawn=(0.1, 0.1), equal_masses=equal_masses)
+    document = partial(
+        page.document.__wrapped__, name, numbers, radius_and_compression=(0.1, 0.1), equal_masses=equal_masses
+    )
     text = re.split(r"^## .*$", document(kind="markdown"), flags=re.MULTILINE)[1:]
     shown = [dict(zip(keys, (re.findall(r"\$\$\n(.*?)\n\$\$", MARGIN.sub("", each)) for each in text), strict=True))]
     sections = zip(keys, document(kind="latex").split("\\section{")[1:], strict=True)

@@ -128,10 +128,10 @@ def measure_arithmetics() -> dict[str | int, float]:
     >>> list(measure_arithmetics())
     ['float64', 'array', 'integers', 'fraction', 15, 30, 50, 100]
     """
-    epsilon, many = UNIT_MASS_RATIO, np.full(ARRAY, UNIT_MASS_RATIO)
+    epsilon, epsilons = UNIT_MASS_RATIO, np.full(ARRAY, UNIT_MASS_RATIO)
     cases: dict[str | int, Callable[[], object]] = {
         "float64": lambda: 1 / effective_mass_ratio(epsilon),
-        "array": lambda: normalized_frequency_squared(many),
+        "array": lambda: normalized_frequency_squared(epsilons),
         "integers": lambda: frequency_squared_by_integers(1.0, epsilon, 1.0),
         "fraction": lambda: _frequency_squared_at(Fraction(epsilon)),
     }

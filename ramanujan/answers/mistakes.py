@@ -222,12 +222,12 @@ def find_spring_slips() -> Slips:
 
 def find_lagrangian_slips(right: sp.Expr) -> Slips:
     """Yield the slips in the Lagrangian: in the sign of U and in U itself."""
-    stored = machines.right_machine().potential_energy
+    potential = machines.right_machine().potential_energy
     kinetic = "½(3m+2m')X'² + ¼(8m+7m')R²φ'² + ¾mR²Φ'² - 2(m+m')RX'φ' - mRX'Φ'"
-    yield _fill_slip("potential_energy_added", f"{kinetic} + 2kR²φ²", right + 2 * stored)
-    yield _fill_slip("kinetic_energy_alone", kinetic, right + stored)
+    yield _fill_slip("potential_energy_added", f"{kinetic} + 2kR²φ²", right + 2 * potential)
+    yield _fill_slip("kinetic_energy_alone", kinetic, right + potential)
     for slip in find_spring_slips():
-        yield slip._replace(results=tuple(right + stored - wrong for wrong in slip.results))
+        yield slip._replace(results=tuple(right + potential - wrong for wrong in slip.results))
 
 
 def find_momentum_slips(right: sp.Expr) -> Slips:

@@ -80,8 +80,10 @@ def draw_time_panels(
         axes[f"yaxis{axis[1:]}"] = _axis(title, panel.range, domain=domain, nticks=6, **_zero_line(colors))
     end_of_first_period = _vertical_line(period, {"color": colors["ink"], "width": 1, "dash": "dot"}, layer="below")
     notes = [_text_above(period, _("one period"), font={"size": 12})]
-    at = {"text": "<i>t</i> = %{x:.4~g} s"}
-    time_axis = _axis(_("time after release <i>t</i> [s]"), (0, end), anchor="free", position=0, unifiedhovertitle=at)
+    hover_title = {"text": "<i>t</i> = %{x:.4~g} s"}
+    time_axis = _axis(
+        _("time after release <i>t</i> [s]"), (0, end), anchor="free", position=0, unifiedhovertitle=hover_title
+    )
     return _lay_out(
         traces,
         colors,

@@ -112,7 +112,7 @@ def _curve_labels(curve: Curve, ends: list[float], colors: Mapping[str, str]) ->
     """Return the labels of the limits, and of the line and the machines in the inset."""
     ratios, heavy_limit = curve.ratios.astype(np.float32), curve.heavy_limit.astype(np.float32)
     # At this point the space to the right of the asymptote, above the line “in step”, is empty.
-    free = int(np.argmin(np.abs(heavy_limit - 0.59 * curve.light_limit)))
+    free_index = int(np.argmin(np.abs(heavy_limit - 0.59 * curve.light_limit)))
     light, heavy = limit_labels(curve)
     least, most = _INSET_RATIOS
     low, _high = _INSET_VALUES
@@ -121,7 +121,7 @@ def _curve_labels(curve: Curve, ends: list[float], colors: Mapping[str, str]) ->
     at_end = {"xanchor": "right", "xshift": -6}
     return [
         note(light, None, np.log10(ends[0]), curve.light_limit) | beside,
-        note(heavy, None, np.log10(ratios[free]), heavy_limit[free]) | beside,
+        note(heavy, None, np.log10(ratios[free_index]), heavy_limit[free_index]) | beside,
         note(_("in step"), colors["primary"], most, curve.unit.value) | in_inset | at_end,
         note(curve.equal.label, None, curve.equal.ratio, curve.equal.value) | in_inset | {"xshift": 8, "yshift": 3},
         note(curve.unit.label, colors["top"], least, low) | in_inset | {"yshift": 4},

@@ -64,8 +64,8 @@ def _energy_shares(part: float) -> dict[str, float]:
     total = sum(terms.values())
     shares = {}
     for body in (*_BODIES, "spring"):
-        of_body = [value for name, value in terms.items() if name.partition("_")[0] == body]
-        shares[body] = sum(of_body) / total
+        energies_of_body = [value for name, value in terms.items() if name.partition("_")[0] == body]
+        shares[body] = sum(energies_of_body) / total
     return shares
 
 

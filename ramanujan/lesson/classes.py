@@ -384,9 +384,9 @@ class Classes:
             "ORDER BY asking DESC, number DESC"
         )
         for options, asking, number in self._store.read(query, (code, stop)):
-            shown = Vote(asking, number)
-            if vote in (None, shown):
-                return self._count_votes(code, stop, shown, options)
+            shown_vote = Vote(asking, number)
+            if vote in (None, shown_vote):
+                return self._count_votes(code, stop, shown_vote, options)
         raise ClassError(_("The result of this question has not been shown yet."))
 
     def count_changes(self, code: str, stop: str, right: str, asking: int = 1) -> Counter[tuple[bool, bool]]:

@@ -124,12 +124,12 @@ def set_in_a_row(formulas: Sequence[str]) -> str:
 
 def _make_prediction(stop: Stop, source: random.Random) -> WorksheetQuestion:
     """Return a stop as a question with its options in random order."""
-    shown = source.sample(list(stop.options), len(stop.options))
-    letters = dict(zip(shown, string.ascii_uppercase, strict=False))
+    shuffled = source.sample(list(stop.options), len(stop.options))
+    letters = dict(zip(shuffled, string.ascii_uppercase, strict=False))
     return WorksheetQuestion(
         stop.question,
         f"**{letters[stop.right]}.** {stop.options[stop.right]}\\\n{stop.explanation()}",
-        options=tuple(f"{letters[option]}. {stop.options[option]}" for option in shown),
+        options=tuple(f"{letters[option]}. {stop.options[option]}" for option in shuffled),
     )
 
 

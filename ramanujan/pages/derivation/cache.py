@@ -114,7 +114,7 @@ def document(
     name: str,
     numbers: Numbers | None,
     kind: str,
-    drawn: tuple[float, float] | None = None,
+    radius_and_compression: tuple[float, float] | None = None,
     step: int | None = None,
     *,
     equal_masses: bool = False,
@@ -126,13 +126,13 @@ def document(
     name : name of the route
     numbers : numbers to insert, or None for symbols
     kind : a key of `FILES` on the page. A notebook is always for any masses.
-    drawn : radius and compression of the machine on the slides [m]
+    radius_and_compression : of the machine on the slides [m]
     step : number of the step for the kind "step", counted from 1
     equal_masses : whether m′ = m
     """
     chosen_route = route(name, equal_masses and kind != "notebook")
-    if drawn and kind in ("slides", "step"):
-        radius, compression = drawn
+    if radius_and_compression and kind in ("slides", "step"):
+        radius, compression = radius_and_compression
         picture = draw_tikz(Oscillator(radius=radius), compression, theme.paper_colors())
         return to_beamer(chosen_route, numbers, picture, step)
     write = {"latex": to_latex, "markdown": to_markdown, "notebook": to_notebook}[kind]

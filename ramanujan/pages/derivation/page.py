@@ -247,7 +247,7 @@ def explain_symbols(setting: Setting) -> None:
 @st.fragment
 def offer_files(setting: Setting) -> None:
     """Offer the route and the current step as files, which are written when the popover opens."""
-    drawn = sidebar.oscillator().radius, sidebar.compression()
+    radius_and_compression = sidebar.oscillator().radius, sidebar.compression()
     name = f"ramanujan-{setting.route}-numbers" if setting.numbers else f"ramanujan-{setting.route}"
     with st.popover(_("Download this route"), icon=":material/download:", key="files", on_change="rerun") as files:
         for kind, (label, suffix, mime) in FILES.items():
@@ -257,7 +257,12 @@ def offer_files(setting: Setting) -> None:
             if files.open:
                 step = address.current(STEP) if kind == "step" else None
                 content = cache.document(
-                    setting.route, setting.numbers, kind, drawn, step, equal_masses=setting.equal_masses
+                    setting.route,
+                    setting.numbers,
+                    kind,
+                    radius_and_compression,
+                    step,
+                    equal_masses=setting.equal_masses,
                 )
             widgets.download(label, content, f"{name}.{suffix}", mime, key=f"file_{kind}", disabled=not files.open)
 
