@@ -52,7 +52,7 @@ def check_legend(data: list[dict], layout: dict) -> None:
 
 
 @pytest.mark.parametrize("name", PAGES)
-def test_plotly_knows_every_property_of_a_page(app: AppTest, name: str, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_plotly_accepts_every_property_of_a_figure(app: AppTest, name: str, monkeypatch: pytest.MonkeyPatch) -> None:
     import streamlit as st
 
     app.run()

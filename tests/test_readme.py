@@ -39,9 +39,9 @@ def run(folder: Path, *command: str) -> subprocess.CompletedProcess:
 
 def test_the_app_test_runs_by_the_printed_commands(tmp_path):
     (tmp_path / "test_in_step.py").write_text(block("an app test"))
-    done = run(tmp_path, "bash", "-c", block("run the app test"))
-    assert "1 passed" in done.stdout, done.stdout[-2000:] + done.stderr[-2000:]
-    assert done.returncode == 0
+    result = run(tmp_path, "bash", "-c", block("run the app test"))
+    assert "1 passed" in result.stdout, result.stdout[-2000:] + result.stderr[-2000:]
+    assert result.returncode == 0
 
 
 @pytest.mark.parametrize("name", ["the start command", "the start command on Windows"])
@@ -49,9 +49,9 @@ def test_an_older_python_stops_the_start_with_one_sentence(name):
     _python, _option, check = shlex.split(block(name).partition("&&")[0].partition("; if")[0])
     for version, sentence in (((3, 10, 18), "This app needs Python 3.11 or newer.\n"), ((3, 11, 0), "")):
         script = f"import sys; sys.version_info = {version}\n{check}"
-        done = subprocess.run([sys.executable, "-c", script], capture_output=True, text=True, check=False)
-        assert done.stderr == sentence
-        assert (done.returncode == 0) == (not sentence)
+        result = subprocess.run([sys.executable, "-c", script], capture_output=True, text=True, check=False)
+        assert result.stderr == sentence
+        assert (result.returncode == 0) == (not sentence)
 
 
 def test_the_printed_lines_import_the_package_from_another_folder(tmp_path):
@@ -75,17 +75,17 @@ def test_an_occupied_port_is_named_before_the_app_is_imported():
         port = other.getsockname()[1]
         place = ("--server.address", "127.0.0.1", "--server.port", str(port), "--server.headless", "true")
         command = (sys.executable, "-X", "importtime", "-m", "streamlit", "run", "app.py", *place)
-        done = subprocess.run(command, cwd=ROOT, capture_output=True, text=True, timeout=60, check=False)
-    assert f"Port {port} is not available" in done.stdout + done.stderr
-    assert done.returncode == 1
-    assert "streamlit.web" in done.stderr
-    assert "sympy" not in done.stderr
+        result = subprocess.run(command, cwd=ROOT, capture_output=True, text=True, timeout=60, check=False)
+    assert f"Port {port} is not available" in result.stdout + result.stderr
+    assert result.returncode == 1
+    assert "streamlit.web" in result.stderr
+    assert "sympy" not in result.stderr
 
 
 def test_an_unknown_language_stops_the_start_with_one_sentence():
     command = (sys.executable, "-m", "streamlit", "run", "app.py", "--server.port", "0", "--server.headless", "true")
     tlh = os.environ | {"RAMANUJAN_LANGUAGE": "tlh"}
-    done = subprocess.run(command, cwd=ROOT, env=tlh, capture_output=True, text=True, timeout=60, check=False)
-    assert done.stderr.endswith(f"RAMANUJAN_LANGUAGE must be one of {', '.join(language_ids())}. It is tlh.\n")
-    assert "Traceback" not in done.stderr
-    assert done.returncode == 1
+    result = subprocess.run(command, cwd=ROOT, env=tlh, capture_output=True, text=True, timeout=60, check=False)
+    assert result.stderr.endswith(f"RAMANUJAN_LANGUAGE must be one of {', '.join(language_ids())}. It is tlh.\n")
+    assert "Traceback" not in result.stderr
+    assert result.returncode == 1

@@ -48,14 +48,14 @@ def words(app: AppTest) -> str:
     return " ".join(element.value for kind in (app.markdown, app.caption, app.header) for element in kind)
 
 
-def one_run(method: str, steps: int, periods: int, dtype: str = "float64") -> downsampling.Run:
+def one_run(method: str, steps: int, periods: int, dtype: str = "float64") -> downsampling.SampledRun:
     return downsampling.downsample(error_history(method, steps, periods, dtype), steps, periods)
 
 
 # ---- the page
 
 
-def test_opens_without_measuring_the_diagram(app, monkeypatch):
+def test_the_page_opens_without_measuring_the_diagram(app, monkeypatch):
     monkeypatch.setattr(cache, "work_precision", None)
     page(app)
     assert "How accurate does a simulation have to be" in words(app)
@@ -66,7 +66,7 @@ def test_opens_without_measuring_the_diagram(app, monkeypatch):
     ("method", "steps", "precision"),
     [("explicit_euler", "3", "float32"), ("velocity_verlet", "3", "float64"), ("yoshida6", "192", "float32")],
 )
-def test_every_corner_is_shown(app, method, steps, precision):
+def test_the_ends_of_every_option_are_shown(app, method, steps, precision):
     page(
         app,
         method=method,

@@ -110,8 +110,10 @@ def test_a_target_and_its_norm(page: AppTest, p: int, q: int) -> None:
     page.number_input(key="q").set_value(q)
     page.run()
     assert not page.exception
-    shown = [formula.value for formula in page.latex if "+ 3 \\cdot" in formula.value]
-    x, y, right = re.search(r"(\(?-?\d+\)?)\^2 \+ 3 \\cdot (\d+)\^2 = (.+)", shown[0]).groups()
+    formulas = [formula.value for formula in page.latex]
+    [place_of_norm, *_others] = [place for place, formula in enumerate(formulas) if "+ 3 \\cdot" in formula]
+    norm = formulas[place_of_norm]
+    x, y, right = re.search(r"(\(?-?\d+\)?)\^2 \+ 3 \\cdot (\d+)\^2 = (.+)", norm).groups()
     x, y = int(x.strip("()")), int(y)
     factor, _, number = right.rpartition(r"^2 \cdot ")
     assert x * x + 3 * y * y == int(factor or 1) ** 2 * int(number)
@@ -119,8 +121,8 @@ def test_a_target_and_its_norm(page: AppTest, p: int, q: int) -> None:
     # The quadratic on the page has this discriminant, and its root reproduces the target.
     w = sp.Rational(p, q)
     epsilon = sp.Symbol("epsilon", positive=True)
-    before = [formula.value for formula in page.latex][: [formula.value for formula in page.latex].index(shown[0])]
-    quadratic = next(formula for formula in reversed(before) if formula.strip("$\n ").endswith("= 0"))
+    formulas_above = formulas[:place_of_norm]
+    quadratic = next(formula for formula in reversed(formulas_above) if formula.strip("$\n ").endswith("= 0"))
     text = quadratic.strip("$\n ").removesuffix("= 0").replace(r"\,", "*").replace(r"\varepsilon", "epsilon")
     polynomial = sp.Poly(sp.sympify(text.replace("^{2}", "**2"), {"epsilon": epsilon}), epsilon)
     assert polynomial.discriminant() == int(number)
@@ -186,7 +188,7 @@ def test_the_count_of_cubes_against_brute_force(monkeypatch: pytest.MonkeyPatch)
     assert tally.taxicabs == sum(len(two_cubes(number)) > 1 for number in numbers)
 
 
-def test_the_figure_of_all_machines_lets_one_stand_out() -> None:
+def test_the_figure_of_all_machines_marks_the_chosen_one() -> None:
     every = machines()
     grid = figures.draw_machine_grid(
         [str(n) for n in range(10)],

@@ -48,7 +48,7 @@ MACHINES = 1000
 SWEEP_NAMES = ("ratio", "scale", "machines")
 """Names of the sweeps."""
 
-Values = NDArray[np.floating]
+FloatArray = NDArray[np.floating]
 
 
 @dataclass(frozen=True)
@@ -57,7 +57,7 @@ class Form:
 
     title: str
     formula: str
-    evaluate: Callable[[Values, Values, Values], Values]
+    evaluate: Callable[[FloatArray, FloatArray, FloatArray], FloatArray]
 
 
 @dataclass(frozen=True)
@@ -128,27 +128,27 @@ def extremes() -> list[Sweep]:
 
 
 # FORMS contains the formula of each of the following functions.
-def _paper(m: Values, m_prime: Values, k: Values) -> Values:
+def _paper(m: FloatArray, m_prime: FloatArray, k: FloatArray) -> FloatArray:
     return 8 * k / (7 * m_prime + 8 * m - 8 * (m_prime + m) ** 2 / (7 * m / 3 + 2 * m_prime))
 
 
-def _scaled(m: Values, m_prime: Values, k: Values) -> Values:
+def _scaled(m: FloatArray, m_prime: FloatArray, k: FloatArray) -> FloatArray:
     ratio, inverse = m_prime / m, m / m_prime
     for_light_rollers = k / m * (8 * (7 + 6 * ratio) / (32 + ratio * (49 + 18 * ratio)))
     for_heavy_rollers = k / m_prime * (8 * (6 + 7 * inverse) / (18 + inverse * (49 + 32 * inverse)))
     return np.where(m >= m_prime, for_light_rollers, for_heavy_rollers)
 
 
-def _effective_mass(m: Values, m_prime: Values, k: Values) -> Values:
+def _effective_mass(m: FloatArray, m_prime: FloatArray, k: FloatArray) -> FloatArray:
     return k / m / effective_mass_ratio(m_prime / m)
 
 
-def _partial_fractions(m: Values, m_prime: Values, k: Values) -> Values:
+def _partial_fractions(m: FloatArray, m_prime: FloatArray, k: FloatArray) -> FloatArray:
     ratio = m_prime / m
     return k / m * (7 / 4) / (1 + 21 * ratio / 32 + 1 / (48 + 56 / ratio))
 
 
-def _integers(m: Values, m_prime: Values, k: Values) -> Values:
+def _integers(m: FloatArray, m_prime: FloatArray, k: FloatArray) -> FloatArray:
     machines = zip(m.tolist(), m_prime.tolist(), k.tolist(), strict=True)
     return np.array([frequency_squared_by_integers(*machine) for machine in machines]).astype(m.dtype)
 
@@ -193,7 +193,7 @@ def _evaluate_forms(sweep_name: str, dtype: str) -> Iterator[Sweep]:
         )
 
 
-def _generate_samples(sweep_name: str, dtype: str) -> tuple[Values, Values, Values, Values]:
+def _generate_samples(sweep_name: str, dtype: str) -> tuple[FloatArray, FloatArray, FloatArray, FloatArray]:
     """Return the samples of a sweep: x, m, m′ and k."""
     if sweep_name == "machines":
         m, m_prime, k = _draw_machines(dtype)
@@ -203,7 +203,7 @@ def _generate_samples(sweep_name: str, dtype: str) -> tuple[Values, Values, Valu
     return (x, one, x, one) if sweep_name == "ratio" else (x, x, x, x)
 
 
-def _draw_machines(dtype: str) -> Values:
+def _draw_machines(dtype: str) -> FloatArray:
     """Return random m, m′ and k, shape (3, machines), whose m′/m, k/m and Ω² are within the range of the sweeps."""
     decades = DECADES[dtype]
     exponents = np.random.default_rng(1729).uniform(-decades, decades, (3, MACHINES))

@@ -21,7 +21,7 @@ _PERIOD_HEIGHT = 0.1
 
 
 @dataclass(frozen=True)
-class Curve:
+class TimeCurve:
     """A curve against time, with its values at equal steps.
 
     `name` appears in the hover text, `label` in the legend, once for all curves with the same label. Curves that are
@@ -49,7 +49,7 @@ class Panel:
 
     title: str
     unit: str
-    curves: Sequence[Curve]
+    curves: Sequence[TimeCurve]
     range: tuple[float, float]
 
 
@@ -101,7 +101,12 @@ def draw_time_panels(
 
 
 def draw_phase_plane(
-    orbits: Sequence[Curve], velocities: Sequence[np.ndarray], *, period: float, periods: int, colors: Mapping[str, str]
+    orbits: Sequence[TimeCurve],
+    velocities: Sequence[np.ndarray],
+    *,
+    period: float,
+    periods: int,
+    colors: Mapping[str, str],
 ) -> EncodedFigure:
     """Draw velocity against displacement for coordinates with one scale.
 
@@ -206,7 +211,7 @@ def _domains(panels: int) -> list[list[float]]:
 
 
 def _trace(
-    curve: Curve, panel: Panel, axis: str, end: float, *, has_several_panels: bool, is_named: bool
+    curve: TimeCurve, panel: Panel, axis: str, end: float, *, has_several_panels: bool, is_named: bool
 ) -> dict[str, Any]:
     # TRANSLATORS: at a curve under the pointer: "hoop: 3.2 cm".
     hover = _("{name}: {value} {unit}").format(name=curve.name, value="%{y}", unit=panel.unit) + NO_NAME

@@ -20,7 +20,7 @@ class Mark:
 
 
 @dataclass(frozen=True)
-class Curve:
+class FrequencyCurve:
     """The curve of Ω²m/k with its limits and marked machines.
 
     Parameters
@@ -48,7 +48,7 @@ _INSET_ACROSS, _INSET_UP = (0.04, 0.5), (0.16, 0.61)
 """The horizontal and vertical domain of the inset, below the curve, in fractions of the panel."""
 
 
-def draw_frequency_curve(curve: Curve, colors: Mapping[str, str]) -> EncodedFigure:
+def draw_frequency_curve(curve: FrequencyCurve, colors: Mapping[str, str]) -> EncodedFigure:
     """Draw Ω²m/k against ε: the curve, its two limits, and an inset around the marked ratios.
 
     On the page, a moving ring in panel and inset marks the current machine.
@@ -76,7 +76,7 @@ def draw_frequency_curve(curve: Curve, colors: Mapping[str, str]) -> EncodedFigu
     )
 
 
-def _curves(curve: Curve, ends: list[float], colors: Mapping[str, str]) -> list[dict[str, Any]]:
+def _curves(curve: FrequencyCurve, ends: list[float], colors: Mapping[str, str]) -> list[dict[str, Any]]:
     """Return the traces of the two limits, of the curve, and of the curve in the inset."""
     # Single precision is a thousand times finer than a pixel, with half the bytes.
     ratios, values = curve.ratios.astype(np.float32), curve.values.astype(np.float32)
@@ -96,7 +96,7 @@ def _curves(curve: Curve, ends: list[float], colors: Mapping[str, str]) -> list[
     ]
 
 
-def _marked_machines(curve: Curve, colors: Mapping[str, str]) -> list[dict[str, Any]]:
+def _marked_machines(curve: FrequencyCurve, colors: Mapping[str, str]) -> list[dict[str, Any]]:
     """Return the marks of the two machines in the inset."""
     traces = []
     for mark, name, symbol, size, color in (
@@ -108,7 +108,7 @@ def _marked_machines(curve: Curve, colors: Mapping[str, str]) -> list[dict[str, 
     return traces
 
 
-def _curve_labels(curve: Curve, ends: list[float], colors: Mapping[str, str]) -> list[dict[str, Any]]:
+def _curve_labels(curve: FrequencyCurve, ends: list[float], colors: Mapping[str, str]) -> list[dict[str, Any]]:
     """Return the labels of the limits, and of the line and the machines in the inset."""
     ratios, heavy_limit = curve.ratios.astype(np.float32), curve.heavy_limit.astype(np.float32)
     # At this point the space to the right of the asymptote, above the line “in step”, is empty.
@@ -128,7 +128,7 @@ def _curve_labels(curve: Curve, ends: list[float], colors: Mapping[str, str]) ->
     ]
 
 
-def limit_labels(curve: Curve) -> tuple[str, str]:
+def limit_labels(curve: FrequencyCurve) -> tuple[str, str]:
     """Return the labels of the limits for light and for heavy rollers."""
     light = _("light rollers: {value}").format(value=curve.light)
     heavy = _("heavy rollers:<br>{value}").format(value=curve.heavy)

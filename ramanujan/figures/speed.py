@@ -26,7 +26,7 @@ _STRIP, _HALF_STRIP = 62, 0.24
 _MARGIN = {"l": 60, "r": 28, "t": 12, "b": 48}
 
 
-Curve = tuple[np.ndarray, np.ndarray, np.ndarray]
+CurveArrays = tuple[np.ndarray, np.ndarray, np.ndarray]
 """The points of one method: three arrays of equal length."""
 
 
@@ -58,7 +58,7 @@ class _Line(NamedTuple):
 
 
 def draw_error_growth(
-    curves: Mapping[str, Curve],
+    curves: Mapping[str, CurveArrays],
     chosen: str,
     exact: tuple[np.ndarray, np.ndarray],
     names: Sequence[str],
@@ -144,7 +144,7 @@ class MarkedRun:
 
 
 def draw_work_precision(
-    curves: Mapping[tuple[str, str], Curve],
+    curves: Mapping[tuple[str, str], CurveArrays],
     *,
     titles: tuple[str, str],
     tolerance: float,
@@ -194,7 +194,7 @@ def draw_work_precision(
 
 
 def _method_curves(
-    curves: Mapping[tuple[str, str], Curve], shown: tuple[float, float], hover: str, colors: Colors
+    curves: Mapping[tuple[str, str], CurveArrays], shown: tuple[float, float], hover: str, colors: Colors
 ) -> list[dict[str, Any]]:
     """Return the traces of the methods, for the range `shown` of the error axis."""
     methods = list(dict.fromkeys(name for name, _dtype in curves))

@@ -38,7 +38,7 @@ class _Update(NamedTuple):
 
 def set_widgets(values: Mapping[str, Any]) -> None:
     """Set widgets, key → value, and repeat this until the page has received the values."""
-    waiting, updates = _waiting(), {}
+    waiting, updates = _waiting_updates(), {}
     for key, value in values.items():
         old_values = {st.session_state.get(key)}
         if key in waiting:
@@ -52,7 +52,7 @@ def reassert() -> None:
 
     Call it before anything reads or draws the widgets: at the start of a run, and of each callback.
     """
-    waiting, seen = _waiting(), st.session_state.get(_SEEN, 0)
+    waiting, seen = _waiting_updates(), st.session_state.get(_SEEN, 0)
     for key, update in list(waiting.items()):
         if update.number <= seen:
             del waiting[key]
@@ -64,9 +64,9 @@ def reassert() -> None:
     _set(updates)
 
 
-def waits() -> bool:
+def are_waiting() -> bool:
     """Return whether the page may not have received a value."""
-    return bool(_waiting())
+    return bool(_waiting_updates())
 
 
 def draw() -> None:
@@ -75,7 +75,7 @@ def draw() -> None:
     If the page did not have this slider yet, its message would leave the server's number in the session state, as if
     the page had received every update.
     """
-    if waits():
+    if are_waiting():
         st.session_state[_SEEN] = _last_number()
     st.slider(_("Updates"), 0, 2**31, key=_SEEN, on_change="ignore")
 
@@ -83,14 +83,14 @@ def draw() -> None:
 def _set(updates: Mapping[str, _Update]) -> None:
     """Set widgets under a new number."""
     number = _last_number() + 1
-    _waiting().update({key: update._replace(number=number) for key, update in updates.items()})
+    _waiting_updates().update({key: update._replace(number=number) for key, update in updates.items()})
     for key, update in updates.items():
         st.session_state[key] = update.value
 
 
 def _last_number() -> int:
-    return max(st.session_state.get(_SEEN, 0), *(update.number for update in _waiting().values()), 0)
+    return max(st.session_state.get(_SEEN, 0), *(update.number for update in _waiting_updates().values()), 0)
 
 
-def _waiting() -> dict[str, _Update]:
+def _waiting_updates() -> dict[str, _Update]:
     return st.session_state.setdefault(_WAITING, {})

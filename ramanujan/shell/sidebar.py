@@ -136,7 +136,11 @@ def _rerun_fragments() -> None:
     """
     pending_updates.reassert()
     fragments = st.session_state.get(_FRAGMENTS)
-    if fragments and display_mode.is_browser() and not (_requests() or pending_updates.waits() or messages.are_shown()):
+    if (
+        fragments
+        and display_mode.is_browser()
+        and not (_requests() or pending_updates.are_waiting() or messages.are_shown())
+    ):
         st.rerun(fragments)
 
 

@@ -11,7 +11,7 @@ import streamlit as st
 from ramanujan import Oscillator, drawn_spacing
 from ramanujan.derivation.energies import PARTS
 from ramanujan.figures import EncodedFigure
-from ramanujan.figures.motion import Curve, Panel, draw_phase_plane, draw_time_panels, roomy
+from ramanujan.figures.motion import Panel, TimeCurve, draw_phase_plane, draw_time_panels, roomy
 from ramanujan.record import Record
 from ramanujan.record import record as take_record
 from ramanujan.shell import theme
@@ -47,7 +47,7 @@ _ENERGIES = {"": _("{body}"), "translation": _("{body}, translation"), "rotation
 """Kind of energy → template for the name of a body's energy."""
 
 
-Setting = tuple[Oscillator, float, float, float]
+ReleaseParameters = tuple[Oscillator, float, float, float]
 """The machine, the compression, and the initial velocities `glide` and `spin`, as for `record`."""
 
 
@@ -119,7 +119,7 @@ def _energy(motion: Record, colors: Mapping[str, str]) -> EncodedFigure:
         curve = _body_curve(body, values * 1e3, colors, is_stacked=True, is_hatched=kind == "rotation")
         curves.append(replace(curve, name=energy_name(key)))
     total = 1e3 * motion.total_energy
-    curves.append(Curve(_("total energy"), total, colors["ink"], _("total energy"), width=3))
+    curves.append(TimeCurve(_("total energy"), total, colors["ink"], _("total energy"), width=3))
     # Leave a sixth above the total for the names of the periods.
     return _over_time(motion, [Panel(_("energy"), "mJ", curves, (0.0, float(total[0]) * 7 / 6))], colors)
 
@@ -135,7 +135,7 @@ def _momentum(motion: Record, colors: Mapping[str, str]) -> EncodedFigure:
         "<i>p</i><sub>Φ</sub><i>/R</i>": (motion.momenta["p_Phi"] / motion.oscillator.radius, "primary", "10px 6px"),
     }
     for name, (values, color, dash) in conserved.items():
-        curves.append(Curve(name, values, colors[color], name, width=4, dash=dash))
+        curves.append(TimeCurve(name, values, colors[color], name, width=4, dash=dash))
     return _over_time(motion, [_panel(_("momentum"), "kg·m/s", curves)], colors)
 
 
@@ -157,7 +157,7 @@ VIEWS = {
 """View → function that draws its figures."""
 
 
-def _contact_curve(contact: str, values: np.ndarray, colors: Mapping[str, str]) -> Curve:
+def _contact_curve(contact: str, values: np.ndarray, colors: Mapping[str, str]) -> TimeCurve:
     body, _between, other = contact.partition("_")
     dash = "solid" if other == "slab" or body == "top" else "7px 5px"
     # TRANSLATORS: the same in short: hoop–slab.
@@ -165,12 +165,12 @@ def _contact_curve(contact: str, values: np.ndarray, colors: Mapping[str, str]) 
     return replace(_body_curve(body, values, colors, dash=dash), name=CONTACTS[contact], label=label)
 
 
-def _body_curve(body: str, values: np.ndarray, colors: Mapping[str, str], **look: Any) -> Curve:
+def _body_curve(body: str, values: np.ndarray, colors: Mapping[str, str], **look: Any) -> TimeCurve:
     """Return a curve with the name and the colour of a body."""
-    return Curve(PARTS[body], values, colors[body], PARTS[body], **look)
+    return TimeCurve(PARTS[body], values, colors[body], PARTS[body], **look)
 
 
-def _panel(title: str, unit: str, curves: list[Curve]) -> Panel:
+def _panel(title: str, unit: str, curves: list[TimeCurve]) -> Panel:
     return Panel(title, unit, curves, roomy([curve.values for curve in curves]))
 
 

@@ -135,7 +135,7 @@ def offer_files(motion: Record, mu: float) -> None:
     )
 
 
-def draw_figures(motion: Record, friction: Friction, setting: cache.Setting) -> None:
+def draw_figures(motion: Record, friction: Friction, setting: cache.ReleaseParameters) -> None:
     """Draw the figures of the open view, or in the projector view a slide for each view."""
     is_projector = display_mode.is_projector()
     draw_functions = {

@@ -13,7 +13,7 @@ from ramanujan.derivation.model import epsilon
 from ramanujan.derivation.numbers import Numbers, unit_frequency_condition
 from ramanujan.derivation.rows import Row, align, make_rows
 from ramanujan.figures import EncodedFigure
-from ramanujan.figures.oscillator import Curve, Mark, draw_frequency_curve
+from ramanujan.figures.oscillator import FrequencyCurve, Mark, draw_frequency_curve
 from ramanujan.shell import theme
 from ramanujan.shell.cache import route
 from ramanujan.translation import _
@@ -27,7 +27,7 @@ is large enough for the browser to cache it (`minCachedMessageSize` in .streamli
 
 
 @st.cache_resource(show_spinner=False)
-def curve() -> Curve:
+def curve() -> FrequencyCurve:
     """Return the Ω² curve with its limits and the two marked ratios."""
     normalized = unit_frequency_condition().normalized_frequency_squared
     ratios = np.geomspace(*CURVE_RANGE, _POINTS)
@@ -35,7 +35,7 @@ def curve() -> Curve:
     heavy = sp.limit(normalized * epsilon, epsilon, sp.oo) / epsilon
     at_equal = normalized.subs(epsilon, 1)
     headline = f'<span style="font-size: 1.8em; font-weight: 700">{discriminant()}</span>'
-    return Curve(
+    return FrequencyCurve(
         ratios=ratios,
         values=np.asarray(normalized_frequency_squared(ratios)),
         light_limit=float(light),

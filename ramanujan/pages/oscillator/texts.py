@@ -1,6 +1,6 @@
 """The texts that the first page shares with the standalone file."""
 
-from ramanujan.figures.oscillator import Curve
+from ramanujan.figures.oscillator import FrequencyCurve
 from ramanujan.numerals import number
 from ramanujan.pages.oscillator import cache
 from ramanujan.pages.oscillator.story import turns_gained
@@ -26,7 +26,7 @@ def question() -> str:
     return sentences.format(periods=number(1 / float(turns_gained(1.0)), 2))
 
 
-def curve_alternative(curve: Curve) -> str:
+def curve_alternative(curve: FrequencyCurve) -> str:
     """Return the text alternative of the curve."""
     sentences = _(
         "Ω²m/k over the mass ratio ε, falling from {light} for light rollers towards {heavy} for heavy ones: heavier "

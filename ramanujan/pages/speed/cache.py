@@ -32,7 +32,7 @@ from ramanujan.figures import speed as figures
 from ramanujan.integrators import METHODS
 from ramanujan.lesson import answer_tasks
 from ramanujan.pages.speed import downsampling
-from ramanujan.pages.speed.downsampling import Run
+from ramanujan.pages.speed.downsampling import SampledRun
 from ramanujan.shell.cache import responsive
 from ramanujan.translation import _
 
@@ -58,7 +58,7 @@ _MEASURING = threading.Lock()
 
 @st.cache_resource(show_spinner=False, max_entries=512)
 @responsive()
-def run(method: str, steps: int, periods: int, dtype: str) -> Run:
+def run(method: str, steps: int, periods: int, dtype: str) -> SampledRun:
     """Return one integration. It is the same for every machine."""
     return downsampling.downsample(error_history(method, steps, periods, dtype), steps, periods)
 

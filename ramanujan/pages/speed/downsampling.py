@@ -21,7 +21,7 @@ CURVE_POINTS = 96
 
 
 @dataclass(frozen=True, eq=False)
-class Run:
+class SampledRun:
     """One integration, downsampled to the resolution of the screen.
 
     Parameters
@@ -50,7 +50,7 @@ class Run:
     evaluations: int
 
 
-def stage_payload(run: Run) -> dict[str, Any]:
+def stage_payload(run: SampledRun) -> dict[str, Any]:
     """Return the motion of a run for the stage. Outside of the stage's range, the slab remains at the edge.
 
     The entry `log` contains the number of evaluations and the phase error [turns] after each period, as texts.
@@ -70,7 +70,7 @@ def costs(curve: WorkPrecision, by: str) -> tuple[np.ndarray, np.ndarray, np.nda
     return getattr(curve, by)[is_shown], error[is_shown], curve.steps_per_period[is_shown]
 
 
-def downsample(history: History, steps: int, periods: int) -> Run:
+def downsample(history: History, steps: int, periods: int) -> SampledRun:
     """Return a run with the number of points that a screen can resolve."""
     # Take every nth step, where n divides the steps of a period and leaves at most SAMPLES_PER_PERIOD samples.
     least = math.ceil(steps / SAMPLES_PER_PERIOD)
@@ -80,7 +80,7 @@ def downsample(history: History, steps: int, periods: int) -> Run:
     with np.errstate(over="ignore"):
         q = history.q[::n].astype(np.float32)
     phase = np.fmax.accumulate(np.abs(history.phase_error))
-    return Run(
+    return SampledRun(
         method=history.method,
         dtype=history.dtype,
         steps=steps,

@@ -12,7 +12,7 @@ from ramanujan.numerals import filled
 from ramanujan.pages.speed import cache, challenge, extremes, verdicts
 from ramanujan.pages.speed.challenge import METHOD, STEPS, TRIES
 from ramanujan.pages.speed.costs import COST, TOLERANCE, draw_costs
-from ramanujan.pages.speed.downsampling import Run
+from ramanujan.pages.speed.downsampling import SampledRun
 from ramanujan.pages.speed.extremes import SWEEP
 from ramanujan.shell import address, display_mode, drawings, sidebar, theme, widgets
 from ramanujan.shell.display_mode import columns, folded, slide
@@ -92,7 +92,7 @@ def draw_error_growth(method: str, steps: int) -> int:
     return periods
 
 
-def _describe_error(run: Run) -> str:
+def _describe_error(run: SampledRun) -> str:
     """State the error of a run at its end."""
     worst = float(np.max(run.energy))
     if not (math.isfinite(run.phase_at_end) and math.isfinite(worst)):

@@ -14,7 +14,7 @@ from ramanujan.accuracy.work_precision import STEPS_PER_PERIOD, CheapestRun, Wor
 from ramanujan.figures.speed import Part
 from ramanujan.integrators import METHODS, Method
 from ramanujan.numerals import at_least, distinct_from, duration, filled, number, quantity
-from ramanujan.pages.speed.downsampling import Run
+from ramanujan.pages.speed.downsampling import SampledRun
 from ramanujan.translation import _, ngettext
 
 _VISIBLE = 0.05
@@ -53,7 +53,7 @@ def describe_method(method: Method, steps: int) -> str:
     return f"{cost} {stable.format(turn=angle_text, limit=limit_text)}"
 
 
-def describe_errors(run: Run) -> str:
+def describe_errors(run: SampledRun) -> str:
     """Name a run, and state its error at the end and whether it is visible."""
     energy_error = float(np.max(run.energy))
     sentence = ngettext(
@@ -137,7 +137,7 @@ def _none_reaches(tolerance: float) -> str:
     return filled(sentence, methods=len(METHODS), tolerance=number(tolerance, 1), most=STEPS_PER_PERIOD[-1])
 
 
-def explain_slope(curves: Sequence[WorkPrecision], run: Callable[[str, int, int, str], Run]) -> str:
+def explain_slope(curves: Sequence[WorkPrecision], run: Callable[[str, int, int, str], SampledRun]) -> str:
     """Explain each method whose error falls faster than its order, and state how the phase error falls.
 
     Parameters
