@@ -387,8 +387,9 @@ def _collect_coefficients(
         return None
     coefficients: dict[tuple[int, ...], FracElement] = {}
     for powers, number in formula.numer.items():
-        of_variables = tuple(power if chosen else 0 for power, chosen in zip(powers, is_variable, strict=True))
-        of_others = tuple(0 if chosen else power for power, chosen in zip(powers, is_variable, strict=True))
-        term = FIELD(FIELD.ring({of_others: number})) / denominator
-        coefficients[of_variables] = coefficients.get(of_variables, FIELD.zero) + term
+        # Split the product into its variables and the other names, which belong to the coefficient.
+        product = tuple(power if chosen else 0 for power, chosen in zip(powers, is_variable, strict=True))
+        other_powers = tuple(0 if chosen else power for power, chosen in zip(powers, is_variable, strict=True))
+        coefficient = FIELD(FIELD.ring({other_powers: number})) / denominator
+        coefficients[product] = coefficients.get(product, FIELD.zero) + coefficient
     return coefficients

@@ -238,7 +238,7 @@ def send_view(stop: Stop, view: dict[str, Any]) -> None:
         st.session_state[_FOLLOWED] = text, {**message, "ago": 0.0, "own": True}
 
 
-def follow(code: str) -> None:
+def show_desk_view(code: str) -> None:
     """Show the desk's last view on the stage of this screen. The screen is a wall or another desk."""
     text, age = shared().read_view(code)
     if text is None:

@@ -47,7 +47,7 @@ class PageFiles:
         self.files = _streamlit_files() | _module_files() | {STANDALONE_FILE: _standalone()}
         self.page = _page(has_formulas=True)
         # A whole class loads the lesson over one network. It starts without formulas, so it needs no fonts for them.
-        self.lesson = _page(has_formulas=False)
+        self.lesson_page = _page(has_formulas=False)
 
     async def __call__(self, scope: dict[str, Any], receive: Any, send: Any) -> None:
         file = self._file(scope) if scope["type"] == "http" else None
@@ -71,7 +71,7 @@ class PageFiles:
             return _MISSING
         if not _STREAMLIT_PATHS.isdisjoint(parts) or "." in parts[-1]:
             return None
-        return self.lesson if parts[-1] == "lesson" else self.page
+        return self.lesson_page if parts[-1] == "lesson" else self.page
 
 
 def _streamlit_files() -> dict[str, _File]:

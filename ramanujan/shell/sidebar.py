@@ -15,7 +15,7 @@ import streamlit as st
 
 from ramanujan import UNIT_MASS_RATIO, Oscillator
 from ramanujan.browser import components
-from ramanujan.numerals import number as written
+from ramanujan.numerals import number as format_number
 from ramanujan.shell import cache, display_mode, messages, pending_updates, widgets
 from ramanujan.shell.parameters import MACHINE, PARAMETERS, SENTENCES, read_number
 from ramanujan.translation import _, pgettext
@@ -197,6 +197,7 @@ def request_ratio(ratio: float, digits: int = 17) -> None:
 
 def _set_ratio(ratio: float, digits: int) -> None:
     """Set m′ = εm. If no m′ in its range fits, also change m, as little as possible, and show a message."""
+    # m′ is the mass of the lower rollers, m that of the other bodies.
     rollers, others = PARAMETERS["m_prime"], PARAMETERS["m"]
     ratio = min(max(ratio, rollers.least / others.most), rollers.most / others.least)
     m = others.value
@@ -217,7 +218,9 @@ def _set_ratio(ratio: float, digits: int) -> None:
         sentences.append(sentence.format(**values))
     if not math.isclose(new_m, nearest):
         sentences.append(
-            _("The mass ratio is now {ratio}, the nearest possible value.").format(ratio=written(bound / new_m, 3))
+            _("The mass ratio is now {ratio}, the nearest possible value.").format(
+                ratio=format_number(bound / new_m, 3)
+            )
         )
     messages.note("m", " ".join(sentences))
 
@@ -291,7 +294,7 @@ def set_number(key: str, text: str) -> None:
         pending_updates.set_widgets({parameter.name: number})
         return
     sentence = SENTENCES["unreadable" if number is None else "outside"]
-    limits = {"least": written(parameter.least, strip=True), "most": parameter.with_unit(parameter.most)}
+    limits = {"least": format_number(parameter.least, strip=True), "most": parameter.with_unit(parameter.most)}
     sentence = sentence.format(symbol=parameter.symbol, old=parameter.with_unit(parameter.value), **limits)
     messages.note(parameter.name, sentence, is_warning=True)
 

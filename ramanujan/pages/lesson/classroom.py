@@ -162,7 +162,7 @@ def draw_desk(stop: Stop, phase: Phase) -> None:
 @st.fragment(run_every=class_session.VIEW_INTERVAL)
 def _follow_stage(code: str) -> None:
     """Mirror the view of another desk of this class."""
-    class_session.follow(code)
+    class_session.show_desk_view(code)
 
 
 def draw_end() -> None:
@@ -473,7 +473,7 @@ def _draw_seat() -> None:
         # The stop's text and machine are drawn outside of this fragment, so a new stop needs a rerun of the page.
         if _visible_machine(question) != st.session_state[_DRAWN]:
             st.rerun()
-        class_session.follow(seat.code)
+        class_session.show_desk_view(seat.code)
         _draw_question(seat, question, chosen)
         _offer_own_tab(seat.code)
 

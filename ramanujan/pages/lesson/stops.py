@@ -30,7 +30,7 @@ _SEVERAL = {2: "two", 3: "three"}
 """Number of machines → their arrangement in the style sheets."""
 _LOADED = "lesson_loaded"
 """Session state: the stop whose machine was last loaded into the sliders, and whether its machine was running."""
-_CONFIRMED = "lesson_asked"
+_CONFIRMED = "lesson_confirmed"
 """Session state: the stop at which the confirmation for an unchecked prediction was shown."""
 _SLIDERS = "lesson_sliders"
 """Session state: how often the reader has opened the sliders."""
@@ -242,7 +242,7 @@ def draw_verdict(stop: Stop, chosen: str, phase: str) -> None:
             st.markdown(f"{prediction}\\\n{stop.reply(chosen)}")
             st.markdown(_(":green[:material/check_circle: **Right answer:**] {option}").format(option=sentence))
     # The clicked button has disappeared with the focus, so announce the result to a screen reader.
-    components.publish(f"told_{stop.id}_published", {"announce": {"sentence": sentence, "urgent": True}})
+    components.publish(f"verdict_{stop.id}_published", {"announce": {"sentence": sentence, "urgent": True}})
 
 
 def _draw_moves(stop: Stop, chosen: str, label: str, phase: str) -> None:

@@ -104,7 +104,7 @@ def _follow_class(code: str) -> None:
     st.session_state[_POLLS] = {state: polls}
     if polls in (0, _REDRAW_AFTER) or class_session.settings_differ(shared().read_machine(code)):
         st.rerun()
-    class_session.follow(code)
+    class_session.show_desk_view(code)
     with st.container(key="class_wall_foot", horizontal=True, vertical_alignment="center", gap="large"):
         if not current.is_known:
             st.markdown(class_results.unknown_stop_sentence(), width="content")

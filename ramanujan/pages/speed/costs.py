@@ -20,7 +20,7 @@ TOLERANCE = address.Choice("tolerance", {f"1e-{n}": number(10.0**-n, 1) for n in
 _COST_TITLES = {"evaluations": _("evaluations of the force"), "seconds": _("seconds on this server")}
 
 
-_REQUESTED, _COMPLETE = "speed_asked", "speed_complete"
+_REQUESTED, _COMPLETE = "speed_requested", "speed_complete"
 """Session state: whether the visitor requested the diagram, and the number of periods for which it is complete."""
 _PATIENCE = 0.2
 """Duration after which a progress bar appears [s]."""

@@ -44,10 +44,10 @@ def draw_section() -> None:
     name = widgets.selectbox(QUESTION, _("What do you want to work out?"), {name: title(name) for name in QUESTIONS})
     judge_typed(name)
     draw_question(name)
-    solved = [each for each in QUESTIONS if is_solved(each)]
+    solved = [question for question in QUESTIONS if is_solved(question)]
     if solved:
         st.markdown(_("**Solved so far: {n} of {all}**").format(n=len(solved), all=len(QUESTIONS)))
-        st.markdown("\n".join(f"- :green[:material/check_circle:] {title(name)}" for name in solved))
+        st.markdown("\n".join(f"- :green[:material/check_circle:] {title(question)}" for question in solved))
 
 
 def title(name: str) -> str:
