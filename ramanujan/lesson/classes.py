@@ -199,7 +199,9 @@ class Classes:
             "ORDER BY asked, asking, number",
             (code, int(least)),
         )
-        present_at = {(stop, Vote(asking, number)): present for stop, asking, number, _options, _at, present in rows}
+        students_present = {}
+        for stop, asking, number, _options, _at, present in rows:
+            students_present[stop, Vote(asking, number)] = present
         results = []
         for stop, asking, number, options, at, present in rows:
             vote = Vote(asking, number)
@@ -208,9 +210,9 @@ class Classes:
             first = self._count_votes(code, stop, vote, options)
             second = None
             second_vote = vote._replace(number=2)
-            if (stop, second_vote) in present_at:
+            if (stop, second_vote) in students_present:
                 second = self._count_votes(code, stop, second_vote, options)
-                present = present_at[stop, second_vote]
+                present = students_present[stop, second_vote]
             results.append(ClassResult(stop=stop, at=at, present=present, first=first, second=second))
         return results
 
