@@ -93,9 +93,9 @@ def remaining(catalogue: Catalog) -> dict[str, list[str]]:
     """Return the open work in a catalogue: kind → English texts, each with its file."""
     messages = [message for message in catalogue if message.id]
     return {
-        "missing": [_placed(each) for each in messages if not each.fuzzy and not all(strings(each))],
-        "fuzzy": [_placed(each) for each in messages if each.fuzzy],
-        "obsolete": [texts(each)[0] for each in catalogue.obsolete.values()],
+        "missing": [_placed(message) for message in messages if not message.fuzzy and not all(strings(message))],
+        "fuzzy": [_placed(message) for message in messages if message.fuzzy],
+        "obsolete": [texts(message)[0] for message in catalogue.obsolete.values()],
     }
 
 

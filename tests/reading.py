@@ -23,10 +23,12 @@ def read(text: str) -> float:
 
 def wide_formulas(block: Any) -> list[Any]:
     """Return AppTest's texts and formulas, without the formulas that only a phone shows."""
-    narrow = [
-        id(each) for inner in block if (getattr(inner, "key", None) or "").startswith("narrow_") for each in inner.latex
-    ]
-    return [each for each in block if each.type in ("markdown", "latex") and id(each) not in narrow]
+    on_phone = []
+    for inner in block:
+        key = getattr(inner, "key", None) or ""
+        if key.startswith("narrow_"):
+            on_phone += [id(formula) for formula in inner.latex]
+    return [element for element in block if element.type in ("markdown", "latex") and id(element) not in on_phone]
 
 
 def array(given: Any) -> np.ndarray:

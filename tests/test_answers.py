@@ -404,13 +404,13 @@ HINTED = {
 
 def gets_its_hint(id: str) -> bool:
     """Return whether the example of a mistake gets its hint, in the words of `HINTED`."""
-    examples = [each.example for each in machines.MISTAKES if each.id == id] or [
+    examples = [mistake.example for mistake in machines.MISTAKES if mistake.id == id] or [
         (name, slip.example) for name in QUESTIONS for slip in find_question(name).list_slips() if slip.id == id
     ]
     return any(HINTED[id] in judge(name, text).message for name, text in examples)
 
 
-@pytest.mark.parametrize("id", [*mistakes.HINTS, *(each.id for each in machines.MISTAKES)])
+@pytest.mark.parametrize("id", [*mistakes.HINTS, *(mistake.id for mistake in machines.MISTAKES)])
 def test_every_example_gets_its_hint(id):
     assert gets_its_hint(id)
 
@@ -427,10 +427,10 @@ def test_negative_control_false_hints_fail(monkeypatch):
 
 
 def test_mistakes_about_bodies_change_the_machine_and_end_in_a_question():
-    assert len({each.id for each in machines.MISTAKES}) == len(machines.MISTAKES)
-    for each in machines.altered_machines():
-        assert each.machine != machines.right_machine()
-        assert re.fullmatch(r"[A-Z][^.?]*\. [A-Z][^.?]*\?", each.hint)
+    assert len({mistake.id for mistake in machines.MISTAKES}) == len(machines.MISTAKES)
+    for altered in machines.altered_machines():
+        assert altered.machine != machines.right_machine()
+        assert re.fullmatch(r"[A-Z][^.?]*\. [A-Z][^.?]*\?", altered.hint)
 
 
 @pytest.mark.parametrize("name", QUESTIONS)

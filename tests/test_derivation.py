@@ -24,7 +24,9 @@ TWO_MASSES = Numbers(2.0, 3.0, 50.0)
 @pytest.mark.parametrize("name", ROUTES)
 def test_a_step_consists_of_exact_equations_and_texts_without_results(name):
     for step in ROUTES[name].steps:
-        assert all(isinstance(each, sp.Eq) and not each.atoms(sp.Float) for each in step.equations), step.key
+        for relation in step.equations:
+            assert isinstance(relation, sp.Eq), step.key
+            assert not relation.atoms(sp.Float), step.key
         assert re.fullmatch(r"[A-Z].*[^.:]", step.heading), step.key
         assert step.reason.endswith((".", "?"))
         assert step.reason.count("$") % 2 == 0

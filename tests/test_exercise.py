@@ -27,7 +27,7 @@ def opened(app, **address):
 
 def answer(app, name: str, text: str):
     app.text_input(key=f"answer_{name}").set_value(text)
-    return sound(next(each for each in app.button if each.label == "Check").click().run())
+    return sound(next(button for button in app.button if button.label == "Check").click().run())
 
 
 def go(app, item: int):
@@ -47,7 +47,7 @@ def test_hints_lead_to_the_step_and_only_the_step_has_the_answer(name):
         for formula in re.findall(r"\$([^$]+)\$", text):
             sides = {formula, *re.split("=|,", formula)}
             assert not [side for side in sides if judge(name, side).kind in ("right", "unsimplified")], text
-    stated = [latex(side) for each in find_answer_equations(name) for side in (each, *each.args)]
+    stated = [latex(side) for equation in find_answer_equations(name) for side in (equation, *equation.args)]
     assert any(judge(name, text).kind in ("right", "unsimplified") for text in stated)
 
 
@@ -65,12 +65,12 @@ def test_an_exercise_keeps_its_order_shows_no_key_and_ends_in_a_sheet(app):
     go(app, 3)
     for _ in find_question("potential_energy").hints:
         hint(app, "potential_energy")
-    assert "hint_potential_energy" not in [each.key for each in app.button]
+    assert "hint_potential_energy" not in [button.key for button in app.button]
     assert not app.latex
     answer(app, "potential_energy", "k` <b>|$R$")
     go(app, 4)
-    assert "Save this worksheet" in [each.proto.label for each in app.get("download_button")]
-    (sheet,) = (each.value for each in app.markdown if each.value.startswith("# "))
+    assert "Save this worksheet" in [button.proto.label for button in app.get("download_button")]
+    (sheet,) = (text.value for text in app.markdown if text.value.startswith("# "))
     headings = re.findall(r"^\d+\. \*\*(.*?)\.\*\*", sheet, re.MULTILINE)
     assert headings == ["The quadratic equation", lesson.find_task("two-cubes").heading, "The potential energy"]
     first, second, third = re.split(r"^\d+\. ", sheet, flags=re.MULTILINE)[1:]
@@ -84,14 +84,14 @@ def test_an_exercise_keeps_its_order_shows_no_key_and_ends_in_a_sheet(app):
     for item in range(1, 5):
         go(app, item)
         assert "_key=" not in sent(app)
-        assert not [each for each in app.button if each.label == "Show me this step"]
-        assert not [each for each in app.markdown if each.value.startswith("## 1.")]
+        assert not [button for button in app.button if button.label == "Show me this step"]
+        assert not [text for text in app.markdown if text.value.startswith("## 1.")]
 
 
 def test_the_lecturers_link_contains_the_key(app):
     query = {"exercise": "block_momentum", "exercise_name": name_of(7)}
     opened(app, **query, exercise_key=key_of(7))
-    assert latex(find_answer_equations("block_momentum")[0].rhs) in "".join(each.value for each in app.latex)
+    assert latex(find_answer_equations("block_momentum")[0].rhs) in "".join(formula.value for formula in app.latex)
 
 
 @pytest.mark.parametrize("guess", [None, "on", key_of(8), key_of(7)[1:]])
@@ -114,7 +114,7 @@ def test_the_lecturer_composes_both_links_in_the_order_of_choice(app):
     sound(app.run().switch_page(WORKSHEET).run())
     sound(app.slider(key="k").set_value(33.5).run())
     app.multiselect(key="composed").set_value(["two-cubes", "block_momentum"])
-    students, lecturers = (each.value for each in sound(app.run()).code)
+    students, lecturers = (formula.value for formula in sound(app.run()).code)
     assert urlsplit(students).path.endswith("/lesson")
     query = parse_qs(urlsplit(students).query)
     (name,) = query.pop("exercise_name")
@@ -132,12 +132,12 @@ def test_a_session_lists_the_solved_questions(app):
     # Open another page and return.
     app.switch_page(WORKSHEET).run()
     sound(app.switch_page("ramanujan/pages/derivation/page.py").run())
-    solved = next(each.value for each in app.markdown if each.value.startswith("- :green"))
+    solved = next(text.value for text in app.markdown if text.value.startswith("- :green"))
     assert [line.rpartition("] ")[2] for line in solved.splitlines()] == [
         "The kinetic energy of the block",
         "The momentum of X",
     ]
-    assert any(each.value.startswith(f"**Solved so far: 2 of {len(QUESTIONS)}") for each in app.markdown)
+    assert any(text.value.startswith(f"**Solved so far: 2 of {len(QUESTIONS)}") for text in app.markdown)
     # After all hints the step is shown on request.
     name = "block_momentum"
     app.session_state["question"] = name

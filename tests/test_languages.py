@@ -61,8 +61,8 @@ def test_no_text_of_a_german_app_is_english():
     """One language suffices: a text without gettext is English in all. test_words checks the catalogues."""
     language = COMPLETE[0]
     messages = [each for each in translated(language) if each.id]
-    english = {text for each in messages for text in texts(each)} - {
-        text for each in messages for text in strings(each)
+    english = {text for message in messages for text in texts(message)} - {
+        text for message in messages for text in strings(message)
     }
     sent = sent_texts(language)
     # Keys of values are words without a capital; an array's bytes have no spaces.
@@ -74,5 +74,5 @@ def test_no_text_of_a_german_app_is_english():
 
 
 def test_negative_control_an_english_sentence_is_detected():
-    long = [text for each in template() if each.id for text in texts(each) if len(text.split()) > 7]
+    long = [text for message in template() if message.id for text in texts(message) if len(text.split()) > 7]
     assert sum(bool(ENGLISH.search(text)) for text in long) > 0.95 * len(long) > 500

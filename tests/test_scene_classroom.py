@@ -392,7 +392,8 @@ def test_the_desk_takes_the_class_back_view_by_view(lecturer, school):
     student = visitor(**{"class": code_of(lecturer)})
 
     def keys() -> list[tuple[str, bool]]:
-        return [(each.proto.shortcut, each.disabled) for each in lecturer.button if "page" in each.proto.shortcut]
+        shortcuts = [(button.proto.shortcut, button.disabled) for button in lecturer.button]
+        return [(shortcut, is_disabled) for shortcut, is_disabled in shortcuts if "page" in shortcut]
 
     assert keys() == [("pageup", True), ("pagedown", False)]
     for name in ("ask", "reveal", "run", "solve", "next"):
@@ -443,7 +444,7 @@ def test_at_the_end_the_class_sees_its_results_without_the_code(lecturer, school
     press(lecturer, "back")
     assert path[-1].heading == wall.run().title[0].value
     # Before a class is deleted, the page offers its votes again.
-    ending = [each.proto.id for each in lecturer.get("download_button")]
+    ending = [button.proto.id for button in lecturer.get("download_button")]
     assert sum("class_csv" in each for each in ending) == 4
 
 

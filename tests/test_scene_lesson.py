@@ -57,9 +57,8 @@ def sent(app) -> str:
     elements = [each for block in (app.main, app.sidebar) for each in walked(block) if getattr(each, "proto", None)]
     # The app's style sheet is not a text of the lesson.
     messages = [without_code(MessageToDict(each.proto)) for each in elements]
-    return "\n".join(
-        json.dumps(each, ensure_ascii=False) for each in messages if not str(each.get("body", "")).startswith("<style>")
-    )
+    visible = [message for message in messages if not str(message.get("body", "")).startswith("<style>")]
+    return "\n".join(json.dumps(message, ensure_ascii=False) for message in visible)
 
 
 def fed(app) -> list[dict]:
@@ -124,15 +123,17 @@ def test_a_stop_reveals_its_motion_and_its_answer_only_on_request(opened, name):
         assert page.count(f'-option_{name}_{option}"') == 1
     assert stop.question in [text.value for text in app.markdown]
     # The present stop is the only one on the page.
-    others = [each for each in lesson.STOPS if each is not stop]
-    assert not any(each.question in page or sentences(each.explanation()) & sentences(page) for each in others)
+    others = [other_stop for other_stop in lesson.STOPS if other_stop is not stop]
+    for other_stop in others:
+        assert other_stop.question not in page
+        assert not sentences(other_stop.explanation()) & sentences(page)
     assert not [pills for pills in app.get("button_group") if "preset" in pills.proto.id]
 
     # After a choice the reader can still change it.
     choose(app, name, wrong)
     page = sent(app)
     assert [text for text in giveaways if text in page] == []
-    before = app.button(key=f"on_{name}").label, fed(app), {each.value for each in app.markdown}
+    before = app.button(key=f"on_{name}").label, fed(app), {text.value for text in app.markdown}
     for machine in fed(app):
         assert set(stop.hides) <= set(machine["hide"])
         assert not {"samples", "slipping"} & set(machine)
@@ -172,7 +173,7 @@ def check_button(app, stop, label: str, before: list[dict], words: set[str]) -> 
     after = fed(app)
     starts = "motion" in before[0]["hide"] and "motion" not in after[0]["hide"] and stop.runs[0].machine.period < SLOW
     layers = set(before[0]["hide"]) & set(stage.LAYERS) - set(after[0]["hide"])
-    exhibits = [each.value for each in app.markdown if each.value not in words and each.value.startswith(("$$", "```"))]
+    exhibits = [text.value for text in app.markdown if text.value not in words and text.value.startswith(("$$", "```"))]
     assert label == ("Run the machine" if starts else "Check it")
     assert starts or layers or exhibits
 

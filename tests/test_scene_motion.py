@@ -50,13 +50,13 @@ def test_the_verdict_names_the_contact_and_the_compression(app, mu, compression)
     largest = largest_compression(machine, mu, spacing=spacing)
     slips = max(needed.values()) > mu
     (sentence,) = (
-        each for each in app.markdown if "no longer holds" in each.value or "Every contact rolls" in each.value
+        text for text in app.markdown if "no longer holds" in text.value or "Every contact rolls" in text.value
     )
     assert ("no longer holds" in sentence.value) == slips
     bound = at_least(100 * largest, 3) if not slips else at_most(100 * largest, 3)
     assert f"{bound}\u202fcm" in sentence.value
     assert cache.CONTACTS[first_to_slip(machine, largest, spacing)] in sentence.value
-    assert any(f"slip: **{at_least(100 * largest, 3)}\u202fcm**" in each.value for each in app.markdown)
+    assert any(f"slip: **{at_least(100 * largest, 3)}\u202fcm**" in text.value for text in app.markdown)
 
 
 def test_the_stage_marks_the_slipping_contact_only_beyond_the_model(monkeypatch, app):

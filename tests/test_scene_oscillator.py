@@ -50,7 +50,7 @@ DEFAULTS = {key: parameter.default for key, parameter in PARAMETERS.items()}
 
 def lines(app) -> list[str]:
     """Return the labels of the six steps, which are visible when folded."""
-    return [each.label for each in app.expander if (each.key or "").startswith("summary_")]
+    return [expander.label for expander in app.expander if (expander.key or "").startswith("summary_")]
 
 
 def steps(app):
@@ -58,15 +58,18 @@ def steps(app):
     for number in range(1, 7):
         app.session_state[f"summary_{number}"] = True
     app.run()
-    folded = [app.expander(key=f"summary_{number}") for number in range(1, 7)]
-    return "\n".join("\n".join([each.label, *(text.value for text in wide_formulas(each))]) for each in folded)
+    texts = []
+    for number in range(1, 7):
+        expander = app.expander(key=f"summary_{number}")
+        texts += [expander.label, *(text.value for text in wide_formulas(expander))]
+    return "\n".join(texts)
 
 
 def test_the_first_run_shows_the_defaults(app):
     assert values(sound(app.run())) == DEFAULTS
     assert not app.warning
-    assert not any("$$" in each.value for each in app.markdown)
-    assert "derivation" in [each.proto.page for each in app.get("page_link")]
+    assert not any("$$" in text.value for text in app.markdown)
+    assert "derivation" in [link.proto.page for link in app.get("page_link")]
 
 
 def test_six_steps_show_their_results_without_a_click_and_nothing_twice(app):

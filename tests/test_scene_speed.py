@@ -198,7 +198,7 @@ def test_the_challenge_shows_the_methods_after_a_try_and_judges_as_the_lesson_do
         [text] = [text.value for text in app.markdown if escape(verdict.sentence) in text.value]
         assert ("Done." in text, "Not yet." in text) == (done, not done)
     assert app.query_params["tries"] == "rk4.13,rk4.14"
-    figure = json.loads(next(each.proto.spec for each in app.get("plotly_chart") if "your run" in each.proto.spec))
+    figure = json.loads(next(chart.proto.spec for chart in app.get("plotly_chart") if "your run" in chart.proto.spec))
     [own] = [trace for trace in figure["data"] if trace.get("name") == "your run"]
     assert (own["x"], own["y"]) == (
         [30 * 14 * 4],

@@ -33,7 +33,8 @@ def sent(app) -> str:
 
 def published(app) -> dict[str, object]:
     """Return topic → published message. A fragment's message replaces the sidebar's."""
-    messages = [json.loads(each.proto.json) for each in app.get("bidi_component") if "_published" in each.proto.id]
+    components = [component.proto for component in app.get("bidi_component")]
+    messages = [json.loads(component.json) for component in components if "_published" in component.id]
     return {topic: payload for message in reversed(messages) for topic, payload in message.items()}
 
 
@@ -44,7 +45,7 @@ def test_a_link_hides_parts_of_the_first_page(app):
     assert published(app)["machine/oscillator"]["hide"] == ["clocks", "numbers"]
     assert not app.get("plotly_chart")
     assert not any(number in sent(app) for number in NUMBERS)
-    assert not any("hand" in each.value for each in app.markdown)
+    assert not any("hand" in text.value for text in app.markdown)
 
 
 def test_by_default_nothing_is_hidden(app):
@@ -52,7 +53,7 @@ def test_by_default_nothing_is_hidden(app):
     opened(app, **LINK)
     assert "hide" not in published(app)["machine/oscillator"]
     assert app.get("plotly_chart")
-    assert any("hand" in each.value for each in app.markdown)
+    assert any("hand" in text.value for text in app.markdown)
 
 
 @pytest.mark.parametrize("path", ["derivation", "motion", "taxicab", "speed"])
@@ -63,7 +64,7 @@ def test_hidden_parts_remain_hidden_on_every_page(app, path):
     stages = [payload for topic, payload in published(app).items() if topic.startswith("machine/")]
     assert stages
     assert all(payload["hide"] == ["clocks", "numbers"] for payload in stages)
-    assert not any("Ω²m/k" in str(each.proto) for each in app.get("plotly_chart"))
+    assert not any("Ω²m/k" in str(chart.proto) for chart in app.get("plotly_chart"))
 
 
 def test_parts_can_be_hidden_one_by_one_and_all_at_once(app):
@@ -99,8 +100,8 @@ def test_reset_ignores_invalid_settings_of_the_link(app):
 
 def all_texts(app) -> list[str]:
     """Return all words, formulas and figures of the page."""
-    figures = [str(each.proto) for each in app.get("plotly_chart")]
-    return sorted([each.value for each in (*app.markdown, *app.latex)] + figures)
+    figures = [str(chart.proto) for chart in app.get("plotly_chart")]
+    return sorted([text.value for text in (*app.markdown, *app.latex)] + figures)
 
 
 @pytest.mark.parametrize(
@@ -116,8 +117,8 @@ def test_a_folded_slider_preserves_its_value(app, path, folded):
     values = {"k": 33.0, "compression": 3.0}
     opened(app, **{key: str(value) for key, value in values.items()})
     sound(app.switch_page(f"ramanujan/pages/{path}/page.py").run())
-    more = next(each for each in app.sidebar.expander if each.label.startswith("More"))
-    assert {each.key for each in more.slider} == {"radius", *folded}
+    more = next(expander for expander in app.sidebar.expander if expander.label.startswith("More"))
+    assert {expander.key for expander in more.slider} == {"radius", *folded}
     assert {key: app.slider(key=key).value for key in values} == values
     before = all_texts(app)
     for key in folded or values:

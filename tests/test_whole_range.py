@@ -28,7 +28,10 @@ def expressions():
 
 def true(group, machine, *state, **others):
     """Return the values of a group of expressions of the derivation, with 60 digits."""
-    return [mp.mpf(evaluated(each, machine, *state, digits=mp.dps, **others)) for each in expressions()[group].values()]
+    values = []
+    for expression in expressions()[group].values():
+        values.append(mp.mpf(evaluated(expression, machine, *state, digits=mp.dps, **others)))
+    return values
 
 
 def machines(count, decades, seed=43):

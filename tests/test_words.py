@@ -66,7 +66,9 @@ def test_the_template_contains_every_message():
         assert len({call.lineno for call in written}) == extracted[str(path.relative_to(PACKAGE))], path
         for call in written:
             literals = call.args[: 1 if name_of(call) == "_" else 2]
-            assert all(isinstance(each, ast.Constant) and isinstance(each.value, str) for each in literals), path
+            for literal in literals:
+                assert isinstance(literal, ast.Constant), path
+                assert isinstance(literal.value, str), path
     assert extracted.total() > 300
 
 
@@ -129,7 +131,7 @@ def test_a_quoted_label_is_the_label_of_the_page(language):
             if label in catalogue:
                 checked += 1
                 own = strings(catalogue[label])[0]
-                assert all(own in QUOTED.findall(each) for each in strings(message)), (label, own)
+                assert all(own in QUOTED.findall(string) for string in strings(message)), (label, own)
     assert checked
 
 

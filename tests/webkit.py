@@ -145,11 +145,11 @@ class Keyboard:
         """Press a key, such as ArrowLeft, a or Control+z."""
         *modifiers, key = map(_character, re.split(r"\+(?=.)", keys))
         chain = ActionChains(self.driver, duration=0)
-        for each in modifiers:
-            chain.key_down(each)
+        for modifier in modifiers:
+            chain.key_down(modifier)
         chain.send_keys(key)
-        for each in modifiers:
-            chain.key_up(each)
+        for modifier in modifiers:
+            chain.key_up(modifier)
         chain.perform()
 
     def type(self, text: str) -> None:
