@@ -9,6 +9,7 @@ import time
 from collections.abc import Callable
 from dataclasses import dataclass, replace
 from functools import partial
+from typing import NamedTuple
 
 import streamlit as st
 
@@ -36,11 +37,21 @@ from ramanujan.pages.speed.downsampling import SampledRun
 from ramanujan.shell.cache import responsive
 from ramanujan.translation import _
 
-ALONG = {
-    "ratio": ("ε", _("{mass_ratio}, with <i>m</i> = 1 kg and <i>k</i> = 1 N/m").format(mass_ratio=MASS_RATIO)),
-    "scale": ("s", _("scale <i>s</i> = <i>m</i>/kg = <i>m</i>′/kg = <i>k</i>/(N/m)")),
+
+class SweepVariable(NamedTuple):
+    """The variable of a sweep: its symbol, and the title of its axis."""
+
+    symbol: str
+    title: str
+
+
+SWEEP_VARIABLES = {
+    "ratio": SweepVariable(
+        "ε", _("{mass_ratio}, with <i>m</i> = 1 kg and <i>k</i> = 1 N/m").format(mass_ratio=MASS_RATIO)
+    ),
+    "scale": SweepVariable("s", _("scale <i>s</i> = <i>m</i>/kg = <i>m</i>′/kg = <i>k</i>/(N/m)")),
 }
-"""Variable of a sweep → its symbol, and the title of its axis."""
+"""Name of a sweep → its variable."""
 
 PERIODS = (1, 3, 10, 30, 100, 300)
 """The numbers of periods that a visitor can select."""

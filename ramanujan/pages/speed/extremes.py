@@ -23,7 +23,7 @@ SWEEPS = {
     "scale_float64": _("scale, float64"),
     "scale_float32": _("scale, float32"),
 }
-"""A variable of `cache.ALONG` and a precision → the label of the sweep."""
+"""A key of `cache.SWEEP_VARIABLES` and a precision → the label of the sweep."""
 SWEEP = address.Choice("sweep", SWEEPS, "ratio_float64")
 
 
@@ -77,11 +77,11 @@ def draw_forms() -> list[Sweep]:
     with figure:
         name = widgets.segmented_control(SWEEP, _("What is varied, and the precision"), label_visibility="collapsed")
         sweep_name, _underscore, dtype = name.partition("_")
-        shown = [sweep for sweep in sweeps if sweep.sweep_name == sweep_name and sweep.dtype == dtype]
+        selected = [sweep for sweep in sweeps if sweep.sweep_name == sweep_name and sweep.dtype == dtype]
         alternative = _("What {count:word} forms of Ω² return, from the least value to the greatest. {findings}.")
-        findings = "; ".join(map(verdicts.describe_strip, shown))
-        strips = {FORMS[sweep.form].title: verdicts.strip(sweep) for sweep in shown}
-        drawn = figures.draw_forms(strips, quantity=cache.ALONG[sweep_name][1], colors=theme.colors())
+        findings = "; ".join(map(verdicts.describe_strip, selected))
+        strips = {FORMS[sweep.form].title: verdicts.strip(sweep) for sweep in selected}
+        drawn = figures.draw_forms(strips, quantity=cache.SWEEP_VARIABLES[sweep_name].title, colors=theme.colors())
         drawings.plot(drawn, "forms", filled(alternative, count=len(FORMS), findings=findings))
     with words:
         sentence = _(
@@ -89,12 +89,12 @@ def draw_forms() -> list[Sweep]:
             "right. Errors are in ulp (unit in the last place), measured against {digits} digits."
         )
         st.caption(sentence.format(digits=REFERENCE.dps))
-    return shown
+    return selected
 
 
-def list_failures(shown: Sequence[Sweep]) -> None:
+def list_failures(sweeps: Sequence[Sweep]) -> None:
     """Draw a table of the failures of each form, and the formula of each form."""
-    widgets.table(verdicts.failure_table(shown, cache.ALONG[shown[0].sweep_name][0]), "forms")
+    widgets.table(verdicts.failure_table(sweeps, cache.SWEEP_VARIABLES[sweeps[0].sweep_name].symbol), "forms")
     item = _("- **{name}**: Ω² = {formula}")
     st.markdown("\n".join(item.format(name=form.title, formula=unbroken(form.formula)) for form in FORMS.values()))
 
