@@ -11,7 +11,7 @@ from ramanujan import UNIT_MASS_RATIO, Oscillator, normalized_frequency_squared
 from ramanujan.browser import stage
 from ramanujan.browser.components import exact
 from ramanujan.pages.oscillator.page import draw_story_button
-from ramanujan.pages.oscillator.story import PACE, STARTS, STILL_PERIODS, story
+from ramanujan.pages.oscillator.story import PACE, STARTS, STILL_PERIODS, make_story
 from ramanujan.shell import widgets
 from ramanujan.shell.parameters import PARAMETERS
 from tests.bare import Bare
@@ -55,7 +55,7 @@ def figure(sentence: str) -> float:
 
 @pytest.mark.parametrize("start", STARTS)
 def test_the_hands_meet_again_when_both_machines_are_in_step(start):
-    scenes = story(start)
+    scenes = make_story(start)
     assert [scenes[0].ratios[0], scenes[2].ratios[0], scenes[-1].ratios[-1]] == [
         start,
         UNIT_MASS_RATIO,
@@ -88,7 +88,7 @@ def started(bare) -> Bare:
 
 def check_story(page) -> None:
     """Run the story, and compare its sentence, mass ratio and hands at every moment with the core."""
-    scenes, shown = story(STARTS[0]), set()
+    scenes, shown = make_story(STARTS[0]), set()
     ends = [*accumulate(scene.periods for scene in scenes)]
     page.evaluate(f"{STORY}.querySelector('button').click()")
     while (now := page.evaluate(f"() => (turn(8), ({NOW})())"))["sentence"] != IN_STEP:

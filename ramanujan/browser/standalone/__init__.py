@@ -120,7 +120,7 @@ def _settings() -> dict[str, Any]:
         "sentences": SENTENCES | {"unknown": address.UNKNOWN},
         "machine": machine,
         "stage": stage.settings("stage", name="oscillator", layers=(), limits=stages.LIMITS, watch=WATCH),
-        "story": story.data(),
+        "story": story.collect_data(),
         "curve": _curve() | {"shape": {name: machine[name] for name in machine if name.startswith("beta_")}},
     }
 

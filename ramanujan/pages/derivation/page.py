@@ -18,7 +18,7 @@ from ramanujan.shell import address, display_mode, messages, navigation, sidebar
 from ramanujan.shell.cache import responsive, symbols
 from ramanujan.shell.display_mode import columns, slide
 from ramanujan.shell.sections.cubes import draw_stacks
-from ramanujan.shell.sections.questions import QUESTION, draw_question, draw_section, is_solved, judge_typed, title
+from ramanujan.shell.sections.questions import QUESTION, draw_question, draw_section, find_title, is_solved, judge_typed
 from ramanujan.translation import _
 
 # Largest number of a step in the address.
@@ -228,7 +228,7 @@ def draw_equations(step: str, wide: str, narrow: str, questions: tuple[str, ...]
     if questions and st.toggle(_("Type it yourself first"), key=f"first_{route}_{questions[0]}"):
         name = questions[0]
         if len(questions) > 1:
-            name = st.selectbox(_("Which one?"), questions, format_func=title, key=f"asked_{route}_{name}")
+            name = st.selectbox(_("Which one?"), questions, format_func=find_title, key=f"asked_{route}_{name}")
         judge_typed(name, route)
         draw_question(name, with_step=False, route=route)
         if not is_solved(name):

@@ -291,7 +291,7 @@ def _draw_moves(key: str, stop: Stop | None, current: ClassQuestion, last: Class
     st.html(KEY_NAMES)
     place = stop.id if stop else END
     shows_result = current.stop == place and current.phase > Phase.ASKED
-    can_go_back = shows_result or progress.previous(place) is not None
+    can_go_back = shows_result or progress.find_previous_stop(place) is not None
     back = _Move(_("Go back"), "back", _go_back, (place,))
     back.draw(key, shortcut="PageUp", disabled=not can_go_back)
     is_over = current.stop == place == END
@@ -313,7 +313,7 @@ def _choose_forward_move(stop: Stop | None, current: ClassQuestion, last: ClassQ
         label = _("Return to this question") if last else _("Ask the class")
         return _Move(label, "ask", _show_stop, (stop,))
     if current.phase == Phase.SOLVED:
-        following = progress.following(stop)
+        following = progress.find_next_stop(stop)
         return _Move(_("Ask the next question"), "next", _show_stop, (following,)) if following else finish
     labels = {
         Phase.ASKED: (_("Show the result"), "reveal"),
@@ -327,7 +327,7 @@ def _choose_forward_move(stop: Stop | None, current: ClassQuestion, last: ClassQ
 def _go_back(key: str, place: str) -> None:
     """Take the class back by one view. If the class is at another stop, move only this desk."""
     code, _secret = split_key(key)
-    current, previous = shared().read_question(code), progress.previous(place)
+    current, previous = shared().read_question(code), progress.find_previous_stop(place)
     is_here = current.stop == place
     if is_here and current.phase > Phase.ASKED:
         shared().show(key, Phase(current.phase - 1))

@@ -72,7 +72,7 @@ def withheld_presets() -> tuple[str, ...]:
 
 def draw_stops(head: st.delta_generator.DeltaGenerator) -> None:
     """Draw the current stop or the end, and at the top the buttons that select another one."""
-    path = progress.path()
+    path = progress.list_stops()
     ids = [*(stop.id for stop in path), progress.END]
     number = ids.index(address.current(progress.STOP)) + 1
 
@@ -105,7 +105,7 @@ def select_stop(name: str) -> None:
     st.session_state[progress.STOP.name] = name
     if name != progress.END:
         stop = lesson.find_stop(name)
-        _option, phase = progress.prediction(stop)
+        _option, phase = progress.read_prediction(stop)
         stops.load_machine(stop, stops.is_running(phase))
 
 
@@ -113,7 +113,7 @@ def draw_end(path: tuple[lesson.Stop, ...]) -> None:
     """Draw the end: each answered stop with the right answer and the prediction."""
     right, answered, lines = 0, 0, []
     for stop in path:
-        chosen, phase = progress.prediction(stop)
+        chosen, phase = progress.read_prediction(stop)
         if chosen is None or phase != progress.ANSWERED:
             lines.append(_("- **{heading}** – Not answered yet.").format(heading=stop.heading))
             continue

@@ -62,7 +62,7 @@ CHOSEN = Predictions("chosen")
 URL_PARAMETERS = (PART, STOP, TASK, LENGTH, CHOSEN)
 
 
-def prediction(stop: Stop) -> tuple[str | None, str]:
+def read_prediction(stop: Stop) -> tuple[str | None, str]:
     """Return the selected option of a stop or None, and its phase."""
     return address.current(CHOSEN).get(stop.id, (None, ASKED))
 
@@ -77,22 +77,22 @@ def predict(stop: Stop, option: str | None, phase: str = PREDICTED) -> None:
     st.session_state[CHOSEN.name] = predictions
 
 
-def path() -> tuple[Stop, ...]:
+def list_stops() -> tuple[Stop, ...]:
     """Return the stops of this lesson: all, or those of a short lecture and the current one."""
     length = address.current(LENGTH) or ("short" if class_session.lecturer_key() else "all")
     current = address.current(STOP)
     return tuple(stop for stop in lesson.STOPS if length == "all" or stop.is_in_short_lesson or stop.id == current)
 
 
-def following(stop: Stop) -> Stop | None:
+def find_next_stop(stop: Stop) -> Stop | None:
     """Return the next stop; None after the last."""
-    stops = path()
+    stops = list_stops()
     index = stops.index(stop) + 1
     return stops[index] if index < len(stops) else None
 
 
-def previous(name: str) -> Stop | None:
+def find_previous_stop(name: str) -> Stop | None:
     """Return the stop before a stop or before the end; None before the first."""
-    stops = path()
+    stops = list_stops()
     index = len(stops) if name == END else [stop.id for stop in stops].index(name)
     return stops[index - 1] if index else None

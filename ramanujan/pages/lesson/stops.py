@@ -39,7 +39,7 @@ _SLIDERS = "lesson_sliders"
 def load_machine(stop: Stop, running: bool) -> None:
     """Set the sliders to the machine of a stop in the next run."""
     st.session_state[_LOADED] = (stop.id, running)
-    sidebar.request_machine(machine_of(stop, running), stop.compression)
+    sidebar.request_machine(choose_machine(stop, running), stop.compression)
 
 
 def load_new_machine(stop: Stop, running: bool) -> None:
@@ -47,12 +47,12 @@ def load_new_machine(stop: Stop, running: bool) -> None:
     if st.session_state.get(_LOADED) == (stop.id, running):
         return
     st.session_state[_LOADED] = (stop.id, running)
-    if not (sidebar.has_linked_machine() or sidebar.shows_machine(machine_of(stop, running), stop.compression)):
+    if not (sidebar.has_linked_machine() or sidebar.shows_machine(choose_machine(stop, running), stop.compression)):
         load_machine(stop, running)
         messages.run_again()
 
 
-def machine_of(stop: Stop, running: bool) -> Oscillator:
+def choose_machine(stop: Stop, running: bool) -> Oscillator:
     """Return the machine of a stop's question, or the one that runs after the prediction."""
     return stop.final_machine if running else stop.machine
 
@@ -71,7 +71,7 @@ def set_prediction(stop: Stop, option: str | None, phase: str) -> None:
 
 def needs_confirmation(stop: Stop) -> bool:
     """Return whether the reader has to confirm that a prediction stays unchecked. Return True only once for a stop."""
-    _option, phase = progress.prediction(stop)
+    _option, phase = progress.read_prediction(stop)
     is_unchecked = phase == progress.PREDICTED and class_session.find_phase(stop) is None
     if not is_unchecked or confirmed_stop() == stop.id:
         return False
@@ -104,14 +104,14 @@ def is_answered(stop: Stop) -> bool:
     class_phase = class_session.find_phase(stop)
     if class_phase is not None:
         return class_phase == Phase.SOLVED
-    _option, phase = progress.prediction(stop)
+    _option, phase = progress.read_prediction(stop)
     return phase == progress.ANSWERED
 
 
 def draw(stop: Stop, number: int) -> None:
     """Draw the stop with this number."""
     class_phase = class_session.find_phase(stop)
-    _option, phase = progress.prediction(stop)
+    _option, phase = progress.read_prediction(stop)
     if class_phase is not None:
         # The lecturer's page follows the phase of the class and ignores the lecturer's own prediction.
         phase = {Phase.RUNNING: progress.MISSED, Phase.SOLVED: progress.ANSWERED}.get(class_phase, progress.ASKED)
@@ -122,7 +122,7 @@ def draw(stop: Stop, number: int) -> None:
         # In the projector view the question needs the full width, but an exhibit needs the full height.
         above = st.container() if display_mode.is_projector() and not stop.exhibit else None
         if not has_own_slide:
-            words, picture, reason = containers(stop, running)
+            words, picture, reason = draw_containers(stop, running)
         else:
             words = picture = reason = st.container()
         with above or words, st.container(key="posed"):
@@ -132,7 +132,7 @@ def draw(stop: Stop, number: int) -> None:
             _draw_answers(stop, class_phase, phase, with_options=has_own_slide)
     if has_own_slide:
         with slide("machine", _("The machine")):
-            _words, picture, reason = containers(stop, running)
+            _words, picture, reason = draw_containers(stop, running)
     with reason:
         if phase == progress.ANSWERED:
             draw_explanation(stop)
@@ -147,7 +147,7 @@ def draw(stop: Stop, number: int) -> None:
 
 def _draw_answers(stop: Stop, class_phase: Phase | None, phase: str, *, with_options: bool) -> None:
     """Draw the lecturer's desk, the options, or the reader's prediction with its verdict."""
-    chosen, _phase = progress.prediction(stop)
+    chosen, _phase = progress.read_prediction(stop)
     if class_phase is not None:
         classroom.draw_desk(stop, class_phase)
     elif chosen is None:
@@ -160,7 +160,7 @@ def _draw_answers(stop: Stop, class_phase: Phase | None, phase: str, *, with_opt
 
 def _draw_caption(stop: Stop, running: bool) -> None:
     """Draw the caption about the sliders and the picture, and after the run a button that opens the sliders."""
-    caption = stop.sliders if running and stop.sliders else _caption(stop, running)
+    caption = stop.sliders if running and stop.sliders else _write_caption(stop, running)
     st.markdown(f":small[{caption}]")
     if running and not stop.runs[0].label:
         st.button(_("Change it with the sliders"), key=f"sliders_{stop.id}", on_click=_open_sliders)
@@ -183,7 +183,7 @@ def draw_observation(stop: Stop, running: bool, fixed: bool = False) -> None:
         draw_machines(stop, running, fixed)
 
 
-def containers(
+def draw_containers(
     stop: Stop, running: bool
 ) -> tuple[AbstractContextManager[Any], AbstractContextManager[Any], AbstractContextManager[Any]]:
     """Return the containers for words, picture and reason. Machines in a row need the full width."""
@@ -293,7 +293,7 @@ def draw_machines(stop: Stop, running: bool, fixed: bool) -> None:
         machine = run.machine if is_labelled else sidebar.oscillator()
         compression = run.compression if is_labelled else sidebar.compression()
         stages.mount(
-            payload(run, machine, compression, running),
+            make_payload(run, machine, compression, running),
             key=f"stage_{stop.id}_{number}",
             clock=f"stop_{stop.id}",
             layers=stop.layers,
@@ -306,7 +306,7 @@ def draw_machines(stop: Stop, running: bool, fixed: bool) -> None:
         )
 
 
-def payload(run: Run, machine: Oscillator, compression: float, running: bool) -> dict[str, object]:
+def make_payload(run: Run, machine: Oscillator, compression: float, running: bool) -> dict[str, object]:
     """Return the data of a run for the stage; before the prediction, only the machine at release."""
     slipping = None
     if run.slipping and running:
@@ -321,21 +321,21 @@ def payload(run: Run, machine: Oscillator, compression: float, running: bool) ->
     )
 
 
-def _caption(stop: Stop, running: bool) -> str:
+def _write_caption(stop: Stop, running: bool) -> str:
     """Return the caption about the sliders and the picture."""
     if stop.runs[0].label:
         return _("The sliders do not change what is shown here.")
-    machine = machine_of(stop, running)
+    machine = choose_machine(stop, running)
     if not sidebar.shows_machine(machine, stop.compression):
         # TRANSLATORS: {machine} is a list such as: m = 1 kg, m′ = 2 kg, k = 10 N/m.
         return _("You have changed the machine. The question is about {machine}.").format(
-            machine=_machine_text(machine)
+            machine=_write_machine(machine)
         )
     # TRANSLATORS: {machine} is a list such as: m = 1 kg, m′ = 2 kg, k = 10 N/m.
     sentence = _("This machine has {machine}.") if running else _("The machine: {machine}.")
-    return sentence.format(machine=_machine_text(machine))
+    return sentence.format(machine=_write_machine(machine))
 
 
-def _machine_text(machine: Oscillator) -> str:
+def _write_machine(machine: Oscillator) -> str:
     values = {"m": machine.m, "m_prime": machine.m_prime, "k": machine.k}
     return ", ".join(PARAMETERS[key].equation(value) for key, value in values.items())

@@ -116,7 +116,7 @@ def draw_opening() -> None:
 
 def draw_story_button() -> None:
     """Draw the button of the story, which ends at the one mass ratio at which both hands turn together."""
-    components.story(story.data())
+    components.story(story.collect_data())
 
 
 def draw_lesson_link() -> None:

@@ -57,7 +57,7 @@ def turns_gained(ratios: ArrayLike) -> NDArray[np.float64]:
 
 
 @st.cache_resource(show_spinner=False)
-def story(start: float) -> tuple[Scene, ...]:
+def make_story(start: float) -> tuple[Scene, ...]:
     """Return the scenes of the story that begins with this mass ratio.
 
     Parameters
@@ -97,9 +97,9 @@ def story(start: float) -> tuple[Scene, ...]:
     )
 
 
-def data() -> dict[str, Any]:
+def collect_data() -> dict[str, Any]:
     """Return the data of `components.story`."""
-    stories = [story(start) for start in STARTS]
+    stories = [make_story(start) for start in STARTS]
     return {
         "stage": "oscillator",
         "slider": "m_prime",
@@ -107,12 +107,12 @@ def data() -> dict[str, Any]:
         "openings": [list(map(asdict, scenes[:OPENING])) for scenes in stories],
         "rest": list(map(asdict, stories[0][OPENING:])),
         "pace": PACE,
-        "stills": stills(),
-        "words": words(),
+        "stills": list_stills(),
+        "words": write_words(),
     }
 
 
-def words() -> dict[str, str]:
+def write_words() -> dict[str, str]:
     """Return the words of the story's button in the format of `components.story`."""
     return {
         "ratio": "ε = m′/m = {ratio}",
@@ -131,7 +131,7 @@ def words() -> dict[str, str]:
     }
 
 
-def stills() -> list[dict[str, str | float]]:
+def list_stills() -> list[dict[str, str | float]]:
     """Return still clocks for visitors who prefer reduced motion: labels, and turns between the hands."""
     ratios = {"5": 5.0, "2": 2.0, f"{number(UNIT_MASS_RATIO, 4)}…": UNIT_MASS_RATIO, "1": 1.0, number(0.5, 1): 0.5}
     return [

@@ -28,7 +28,7 @@ FILE = "exercise.md"
 
 def draw_exercise(items: tuple[str, ...]) -> None:
     """Draw the current item of an exercise, or the worksheet after the last item."""
-    headings = [*map(title, items), END]
+    headings = [*map(find_title, items), END]
     has_key = worksheet_keys.fits(KEY, address.current(WORKSHEET))
     now = min(address.current(ITEM), len(headings))
     with st.container(key="lesson_head"):
@@ -48,17 +48,17 @@ def draw_exercise(items: tuple[str, ...]) -> None:
 
 def draw_question(name: str, has_key: bool) -> None:
     """Draw a question of an exercise. With the author's key, also draw the step to the answer."""
-    with slide("question", title(name)):
-        st.title(title(name), anchor=False)
+    with slide("question", find_title(name)):
+        st.title(find_title(name), anchor=False)
         questions.judge_typed(name)
         questions.draw_question(name, with_step=has_key)
         if has_key:
             st.latex(questions.typeset_answer_step(name))
 
 
-def title(item: str) -> str:
+def find_title(item: str) -> str:
     """Return the title of a question or task."""
-    return questions.title(item) if item in QUESTIONS else lesson.find_task(item).heading
+    return questions.find_title(item) if item in QUESTIONS else lesson.find_task(item).heading
 
 
 def draw_worksheet(items: tuple[str, ...]) -> None:
@@ -78,7 +78,7 @@ def write_worksheet(items: tuple[str, ...]) -> str:
     lines = ["# " + _("Ramanujan’s oscillator: exercise"), _("Name: {line} Date: {line}").format(line="\\_" * 16), ""]
     for number, item in enumerate(items, start=1):
         text = find_question(item).prompt() if item in QUESTIONS else lesson.find_task(item).text
-        lines.append(f"{number}. **{title(item)}.** {text}")
+        lines.append(f"{number}. **{find_title(item)}.** {text}")
         lines += [f"   - {result}" for result in list_results(item)]
     return "\n".join(lines) + "\n"
 
@@ -114,7 +114,7 @@ def draw_composer() -> None:
         chosen = st.multiselect(
             _("Questions and tasks, in their order"),
             ITEMS,
-            format_func=title,
+            format_func=find_title,
             key="composed",
             placeholder=_("Choose questions and tasks"),
             # Streamlit has no translation of "Select all".

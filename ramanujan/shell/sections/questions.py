@@ -41,16 +41,18 @@ def draw_section() -> None:
     """Draw a question with its verdict, and list the solved questions."""
     st.header(_("Try it yourself"), anchor=False)
     # These labels must not change, because the browser identifies an option by its label.
-    name = widgets.selectbox(QUESTION, _("What do you want to work out?"), {name: title(name) for name in QUESTIONS})
+    name = widgets.selectbox(
+        QUESTION, _("What do you want to work out?"), {name: find_title(name) for name in QUESTIONS}
+    )
     judge_typed(name)
     draw_question(name)
     solved = [question for question in QUESTIONS if is_solved(question)]
     if solved:
         st.markdown(_("**Solved so far: {n} of {all}**").format(n=len(solved), all=len(QUESTIONS)))
-        st.markdown("\n".join(f"- :green[:material/check_circle:] {title(question)}" for question in solved))
+        st.markdown("\n".join(f"- :green[:material/check_circle:] {find_title(question)}" for question in solved))
 
 
-def title(name: str) -> str:
+def find_title(name: str) -> str:
     """Return the title of a question."""
     quantity = find_question(name).quantity
     return quantity[:1].upper() + quantity[1:]
