@@ -13,7 +13,7 @@
       // A body's letter is on the body; a formula with subscripts has letters of two sizes.
       if (!words || !isVisible(node) || node.closest("style, title, option, .body, .katex")) continue;
       const size = parseFloat(getComputedStyle(node).fontSize) * (node.getScreenCTM?.().a ?? 1);
-      const least = node.closest(".st-key-wall_asked, .st-key-class_result > * > .stHorizontalBlock") ? 0.035 : 0.022;
+      const least = node.closest(".st-key-wall_asked, .st-key-wall_reason, .st-key-class_changes, .st-key-class_result > * > .stHorizontalBlock") ? 0.035 : 0.022;
       if (size < least * innerHeight) defects.add(`“${words}” is ${size} px high`);
       range.selectNodeContents(text);
       for (const { left, right, top, bottom } of range.getClientRects()) {

@@ -33,27 +33,54 @@ def show(code: str, stop: Stop, vote: Vote, is_solved: bool, chosen: str | None 
         st.warning(str(error))
         return
     right = stop.right if is_solved else None
-    label_width, chart_width = 3, 2
-    widths = [label_width, *(chart_width for _vote in all_votes)]
     # In a narrow chart the style sheet shows the names of the votes in the bars instead of the headings.
     templates = (_("*First vote:* {share}"), _("*Second vote:* {share}")) if vote.is_second else ("{share}",)
     with st.container(key="class_result"):
-        changes_sentence = _changes_sentence(changes)
-        if is_solved and changes_sentence:
-            with st.container(key="class_changes"):
-                st.markdown(changes_sentence)
+        if is_solved:
+            _draw_changes(changes)
         if vote.is_second:
             with st.container(key="class_votes"):
-                headings = st.columns(widths, gap="small")[1:]
+                headings = st.columns(_widths(all_votes), gap="small")[1:]
                 for heading, name in zip(headings, (_("First vote"), _("Second vote")), strict=True):
                     heading.markdown(f"**{name}**")
         for option, text in stop.options.items():
-            label, *charts = st.columns(widths, gap="small")
-            label.markdown(_mark_label(text, option == right, option == chosen))
-            for chart, votes, template in zip(charts, all_votes, templates, strict=True):
-                total = sum(votes.values())
-                share = votes[option] / total if total else 0.0
-                chart.progress(share, template.format(share=_share(votes[option], total)))
+            _draw_option(option, _mark_label(text, option == right, option == chosen), all_votes, templates)
+
+
+def draw_answer(code: str, stop: Stop, vote: Vote) -> None:
+    """Draw the right answer and the most common wrong one, with their last votes and the reasons.
+
+    The wall has shown all votes before. Without the other options, the reasons fit in large letters.
+    """
+    all_votes, changes = _result(code, stop.id, vote)
+    mistake = find_commonest_mistake(code, stop, vote)
+    with st.container(key="class_result"):
+        _draw_changes(changes)
+        for option, text in stop.options.items():
+            if option in (stop.right, mistake):
+                _draw_option(
+                    option, _mark_label(text, option == stop.right, is_own=False), all_votes[-1:], ("{share}",)
+                )
+    with st.container(key="wall_reason"):
+        st.markdown(stop.explanation())
+        if mistake:
+            st.markdown(_("**Most common mistake:** {reply}").format(reply=stop.reply(mistake)))
+
+
+def _widths(votes: Sequence[object]) -> list[int]:
+    """Return the relative widths of the columns: the label of an option, and its share in each vote."""
+    label_width, chart_width = (3, 2) if len(votes) == 1 else (2, 1)
+    return [label_width, *(chart_width for _vote in votes)]
+
+
+def _draw_option(option: str, text: str, all_votes: Sequence[Mapping[str, int]], templates: Sequence[str]) -> None:
+    """Draw the label of an option, and its share in each vote."""
+    label, *charts = st.columns(_widths(all_votes), gap="small")
+    label.markdown(text)
+    for chart, votes, template in zip(charts, all_votes, templates, strict=True):
+        total = sum(votes.values())
+        share = votes[option] / total if total else 0.0
+        chart.progress(share, template.format(share=_share(votes[option], total)))
 
 
 @st.cache_data(show_spinner=False, max_entries=256)
@@ -90,23 +117,30 @@ def _share(people: int, total: int) -> str:
     return _("{people} of {total}, {share}").format(people=people, total=total, share=share)
 
 
-def _changes_sentence(changes: Counter[tuple[bool, bool]]) -> str:
-    """Return the number of changed answers of each kind; an empty text without a second vote."""
+def _draw_changes(changes: Counter[tuple[bool, bool]]) -> None:
+    """Draw the number of students for each kind of change between two votes. Do nothing without a second vote."""
     if not changes:
-        return ""
-    sentence = _("**Changed to the right answer: {up}.** Changed to a wrong answer: {down}. Right both times: {both}.")
-    return sentence.format(up=changes[False, True], down=changes[True, False], both=changes[True, True])
+        return
+    sentence = _("**Wrong, then right: {up}.** Right, then wrong: {down}. Right both times: {both}.")
+    with st.container(key="class_changes"):
+        st.markdown(sentence.format(up=changes[False, True], down=changes[True, False], both=changes[True, True]))
 
 
-def draw_commonest_mistake(code: str, stop: Stop, vote: Vote) -> None:
-    """Name the most frequent wrong answer of the last vote, with the reply to it. Do nothing without a wrong answer."""
+def find_commonest_mistake(code: str, stop: Stop, vote: Vote) -> str | None:
+    """Return the most frequent wrong answer of a vote; None without a wrong answer."""
     all_votes, _changes = _result(code, stop.id, vote)
     votes = all_votes[-1]
     wrong_options = [option for option in stop.options if option != stop.right]
     commonest = max(wrong_options, key=votes.__getitem__)
-    if votes[commonest]:
+    return commonest if votes[commonest] else None
+
+
+def draw_commonest_mistake(code: str, stop: Stop, vote: Vote) -> None:
+    """Name the most frequent wrong answer of a vote, with the reply to it. Do nothing without a wrong answer."""
+    mistake = find_commonest_mistake(code, stop, vote)
+    if mistake:
         sentence = _("**Most common wrong answer:** {label}\\\n{reply}")
-        st.markdown(sentence.format(label=stop.options[commonest], reply=stop.reply(commonest)))
+        st.markdown(sentence.format(label=stop.options[mistake], reply=stop.reply(mistake)))
 
 
 def draw_whole_lesson(code: str) -> None:

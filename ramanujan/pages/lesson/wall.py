@@ -75,12 +75,10 @@ def _draw_question(code: str, stop: Stop, question: ClassQuestion) -> None:
                 st.markdown(_("**Second vote.** Talk to your neighbours, then answer again."))
             with st.container(key="wall_options"):
                 st.markdown("\n".join(f"- {label}" for label in stop.options.values()))
+        elif is_solved:
+            class_results.draw_answer(code, stop, question.vote)
         else:
-            class_results.show(code, stop, question.vote, is_solved)
-        if is_solved:
-            with st.container(key="wall_reason"):
-                st.markdown(stop.explanation())
-                class_results.draw_commonest_mistake(code, stop, question.vote)
+            class_results.show(code, stop, question.vote, is_solved=False)
     with st.container(key="wall_running" if is_running else "wall_still"):
         stops.draw_observation(stop, running=is_running, fixed=True)
 
