@@ -78,7 +78,7 @@ class _Handler(BaseHTTPRequestHandler):
     def do_GET(self) -> None:
         path = self.path.partition("?")[0].removeprefix("/")
         name = path.removeprefix(f"{modules.folder()}/")
-        content = html(path) if path in THEME else modules.contents().get(name)
+        content = html(path) if path in THEME else modules.collect_files().get(name)
         self.send_response(404 if content is None else 200)
         kind = "text/html" if path in THEME else guess_type(path)[0] or "application/octet-stream"
         self.send_header("Content-Type", kind)

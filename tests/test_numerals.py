@@ -87,7 +87,7 @@ def test_a_thin_space_separates_a_number_from_its_unit():
 @pytest.mark.parametrize("mark", ".,")
 def test_the_page_and_python_write_the_same_numbers(mark, monkeypatch):
     monkeypatch.setattr(numerals, "DECIMAL", mark)
-    _imports, script = modules.contents()["components/sentences.js"].decode().split('"./language.js";')
+    _imports, script = modules.collect_files()["components/sentences.js"].decode().split('"./language.js";')
     script = f"const DECIMAL = '{mark}';{script}"
     asked = {"values": VALUES, "digits": [1, 2, 4, 7], "places": [0, 1, 3]}
     script += f"""

@@ -33,7 +33,7 @@ _MARKUP = {"turn": "steps"}
 
 
 @cache
-def contents() -> dict[str, bytes]:
+def collect_files() -> dict[str, bytes]:
     """Return path → content of all files: modules, style sheets of the pages, and fonts."""
     sheets = ("contrast", "page", "print", "projector", "type")
     patterns = ("**/*.js", *(f"components/{name}.css" for name in sheets), "**/*.woff2")
@@ -45,19 +45,20 @@ def contents() -> dict[str, bytes]:
         "markup.js": markup(["stage/stage", *components]),
         "stage/formulas.js": f"export const FORMULAS = {javascript(formulas())};",
         "stage/texts.js": f"export const WORDS = {json.dumps(sentences, ensure_ascii=False)};\n"
-        f"export const LIGHT = {json.dumps(_light())};",
+        f"export const LIGHT = {json.dumps(_light_colors())};",
     }
     files = {path.relative_to(_HERE).as_posix(): path.read_bytes() for path in paths}
     # Components are printed in the light theme.
-    light = "".join(f"{name}: {color}; " for name, color in (_light() | {"--st-background-color": "#fff"}).items())
-    files["components/print.css"] += f"#root .stBidiComponent {{ &, * {{ {light}}} }}".encode()
+    light_colors = _light_colors() | {"--st-background-color": "#fff"}
+    declarations = "".join(f"{name}: {color}; " for name, color in light_colors.items())
+    files["components/print.css"] += f"#root .stBidiComponent {{ &, * {{ {declarations}}} }}".encode()
     return files | {name: text.encode() for name, text in generated.items()}
 
 
 @cache
 def folder() -> str:
-    """Return the folder of `contents` in an address, relative to the app's address."""
-    listing = repr(sorted(contents().items()))
+    """Return the folder of `collect_files` in an address, relative to the app's address."""
+    listing = repr(sorted(collect_files().items()))
     version = sha256(listing.encode()).hexdigest()[:12]
     return f"modules/{version}"
 
@@ -92,9 +93,9 @@ def markup(names: Iterable[str], appended: str = "") -> str:
 
 def _markup(name: str, texts: dict[str, str], **parts: str) -> str:
     """Return a component's style sheet and HTML, with its texts and HTML parts inserted; both files are optional."""
-    style, html = (_text(_HERE / f"{name}.{kind}") for kind in ("css", "html"))
+    style, html = (_read_text(_HERE / f"{name}.{kind}") for kind in ("css", "html"))
     html = html.format(**{slot: escape(text) for slot, text in texts.items()}, **parts)
-    return f"<style>{_text(_COMMON)}{style}</style>{html}" if style else html
+    return f"<style>{_read_text(_COMMON)}{style}</style>{html}" if style else html
 
 
 def _layer_boxes() -> str:
@@ -116,10 +117,10 @@ def theme_colors(theme: str, style: str) -> dict[str, str]:
     return {name: color for name, color in colors.items() if color}
 
 
-def _light() -> dict[str, str]:
+def _light_colors() -> dict[str, str]:
     """Return the stage's colours in the light theme, for saved pictures."""
-    return theme_colors("light", _text(_HERE / "stage/stage.css"))
+    return theme_colors("light", _read_text(_HERE / "stage/stage.css"))
 
 
-def _text(path: Path) -> str:
+def _read_text(path: Path) -> str:
     return path.read_text(encoding="utf-8") if path.exists() else ""

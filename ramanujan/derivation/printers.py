@@ -251,7 +251,7 @@ class QuadraticNumber(NamedTuple):
         QuadraticNumber(p=-1, q=36, r=1, n=1729)
         """
         common = gcd(p, q, r) if q > 0 else -gcd(p, q, r)
-        return cls(p // common, q // common, r // common, n)
+        return cls(p=p // common, q=q // common, r=r // common, n=n)
 
     @property
     def numerator(self) -> Decimal:

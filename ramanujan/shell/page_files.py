@@ -83,7 +83,7 @@ def _streamlit_files() -> dict[str, _File]:
     for path in (_STREAMLIT / "static").rglob("*"):
         address = path.relative_to(_STREAMLIT).as_posix()
         if path.name.startswith("MaterialSymbols"):
-            icons = modules.contents()["components/icons.woff2"]
+            icons = modules.collect_files()["components/icons.woff2"]
             files[address] = _compress(icons, _TYPES[".woff2"], {"cache-control": "public, max-age=86400"})
         elif path.suffix in {".js", ".css", ".svg"}:
             files[address] = _compress(path.read_bytes(), _TYPES[path.suffix], _IMMUTABLE)
@@ -93,7 +93,7 @@ def _streamlit_files() -> dict[str, _File]:
 def _module_files() -> dict[str, _File]:
     """Return address → file for our own modules, style sheets and fonts."""
     files = {}
-    for name, content in modules.contents().items():
+    for name, content in modules.collect_files().items():
         files[f"{modules.folder()}/{name}"] = _compress(content, _TYPES[Path(name).suffix], _IMMUTABLE)
     return files
 

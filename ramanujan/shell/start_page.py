@@ -39,7 +39,7 @@ def content_security_policy() -> str:
 def html(*, has_formulas: bool) -> bytes:
     """Return the page. A page without formulas loads fewer fonts."""
     folder = f"./{modules.folder()}"
-    fonts = [f"{folder}/{name}" for name in sorted(modules.contents()) if "fonts/" in name]
+    fonts = [f"{folder}/{name}" for name in sorted(modules.collect_files()) if "fonts/" in name]
     if has_formulas:
         # KaTeX measures formulas with these fonts. If they arrived late, lines would change their length.
         letters = re.compile(r"KaTeX_(Main-Regular|Math-Italic|Size1-Regular)\..*woff2")
@@ -53,7 +53,7 @@ def html(*, has_formulas: bool) -> bytes:
         "components/print.css": "print",
         "components/projector.css": "not all",
     }
-    sheets = [name for name in sorted(modules.contents()) if name.endswith(".css")]
+    sheets = [name for name in sorted(modules.collect_files()) if name.endswith(".css")]
     links = [f'<link rel="stylesheet" href="{folder}/{name}" media="{media.get(name, "all")}">' for name in sheets]
     scripts = [f'<script type="module" async src="{folder}/{name}.js"></script>' for name in _FIRST_MODULES]
 

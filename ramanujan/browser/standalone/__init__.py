@@ -51,7 +51,7 @@ _COMMENT = re.compile(r"^\s*//.*\n", re.MULTILINE)
 def html() -> str:
     """Return the file, in the language of this process."""
     condition = first_page.curve()
-    imports = json.dumps({"imports": _imports()}, ensure_ascii=False)
+    imports = json.dumps({"imports": _list_imports()}, ensure_ascii=False)
     script = 'import "ramanujan/standalone/page.js";'
     slots = {
         "title": _("Ramanujan’s oscillator"),
@@ -65,17 +65,17 @@ def html() -> str:
         "steps": "".join(_steps()),
         "language": LANGUAGE,
         "style": _style(),
-        "policy": _policy(imports, script),
-        "settings": json.dumps(_settings(), ensure_ascii=False).replace("<", "\\u003c"),
+        "policy": _write_policy(imports, script),
+        "settings": json.dumps(_collect_settings(), ensure_ascii=False).replace("<", "\\u003c"),
         "imports": imports,
         "script": script,
     }
     return Template((_HERE / "page.html").read_text(encoding="utf-8")).substitute(slots)
 
 
-def _imports() -> dict[str, str]:
+def _list_imports() -> dict[str, str]:
     """Return name → `data:` address of each module that the page needs."""
-    contents = {name: content.decode() for name, content in modules.contents().items() if name.endswith(".js")}
+    contents = {name: content.decode() for name, content in modules.collect_files().items() if name.endswith(".js")}
     contents["markup.js"] = modules.markup(_MARKUP, f"<style>{_contrast()}</style>")
     waiting = ["standalone/page.js", *(f"{name}.js" for name in _MARKUP)]
     addresses: dict[str, str] = {}
@@ -99,7 +99,7 @@ def _address(script: str) -> str:
     return "data:text/javascript;charset=utf-8," + quote(script, safe=" !$&'()*+,-./:;=?@[]^_`{|}~>")
 
 
-def _policy(*scripts: str) -> str:
+def _write_policy(*scripts: str) -> str:
     """Return the content security policy: it allows these scripts and the modules in the file, but no requests."""
     hashes = " ".join(f"'sha256-{b64encode(sha256(script.encode()).digest()).decode()}'" for script in scripts)
     return (
@@ -108,24 +108,24 @@ def _policy(*scripts: str) -> str:
     )
 
 
-def _settings() -> dict[str, Any]:
+def _collect_settings() -> dict[str, Any]:
     """Return the data of page.js."""
     machine = stage.payload(Oscillator(), 0)["parameters"]
     return {
-        "parameters": [_parameter(PARAMETERS[key]) for key in (*_SLIDERS, "radius")],
+        "parameters": [_describe_parameter(PARAMETERS[key]) for key in (*_SLIDERS, "radius")],
         "view": [
-            {"key": parameter.name, "form": _form(parameter), "ignored": parameter.message()}
+            {"key": parameter.name, "form": _describe_form(parameter), "ignored": parameter.message()}
             for parameter in stages.URL_PARAMETERS
         ],
         "sentences": SENTENCES | {"unknown": address.UNKNOWN},
         "machine": machine,
         "stage": stage.settings("stage", name="oscillator", layers=(), limits=stages.LIMITS, watch=WATCH),
         "story": story.collect_data(),
-        "curve": _curve() | {"shape": {name: machine[name] for name in machine if name.startswith("beta_")}},
+        "curve": _describe_curve() | {"shape": {name: machine[name] for name in machine if name.startswith("beta_")}},
     }
 
 
-def _parameter(parameter: Parameter) -> dict[str, Any]:
+def _describe_parameter(parameter: Parameter) -> dict[str, Any]:
     """Return the range of a parameter, the heading of its box, and the message about an invalid address."""
     names = ("symbol", "unit", "least", "most", "default", "step", "scale", "label")
     attributes = {name: getattr(parameter, name) for name in names}
@@ -133,7 +133,7 @@ def _parameter(parameter: Parameter) -> dict[str, Any]:
     return {"key": parameter.name, **attributes, "head": head, "ignored": parameter.message()}
 
 
-def _form(parameter: URLParameter) -> str:
+def _describe_form(parameter: URLParameter) -> str:
     """Return the regular expression of the valid texts of a parameter of the stage."""
     if isinstance(parameter, address.Text):
         return parameter.pattern
@@ -142,7 +142,7 @@ def _form(parameter: URLParameter) -> str:
     return f"{option}(,{option})*" if isinstance(parameter, address.Several) else option
 
 
-def _curve() -> dict[str, Any]:
+def _describe_curve() -> dict[str, Any]:
     """Return the range of the curve, its limits, its marked ratios, and its labels."""
     curve = first_page.curve()
     light, heavy = limit_labels(curve)
@@ -192,9 +192,11 @@ def _mathml(latex: str) -> str:
 
 def _style() -> str:
     """Return the style sheet with the colours of both themes and the fonts in it."""
-    contents = modules.contents()
+    contents = modules.collect_files()
     rules = re.findall(r"@font-face \{.*?\n\}", contents["components/page.css"].decode(), re.DOTALL)
-    fonts = re.sub(r"url\(fonts/(.*?)\)", lambda match: _font(contents[f"standalone/{match[1]}"]), "\n".join(rules))
+    fonts = re.sub(
+        r"url\(fonts/(.*?)\)", lambda match: _embed_font(contents[f"standalone/{match[1]}"]), "\n".join(rules)
+    )
     light, dark = (f":root {{ {_colors(theme)} }}" for theme in ("light", "dark"))
     themes = f"{light}\n@media (prefers-color-scheme: dark) {{ {dark} }}"
     return "\n".join([fonts, themes, _page_css(), _contrast()])
@@ -202,16 +204,16 @@ def _style() -> str:
 
 def _contrast() -> str:
     """Return the style sheet for forced colours with its media query."""
-    return f"@media (forced-colors: active) {{ {modules.contents()['components/contrast.css'].decode()} }}"
+    return f"@media (forced-colors: active) {{ {modules.collect_files()['components/contrast.css'].decode()} }}"
 
 
-def _font(content: bytes) -> str:
+def _embed_font(content: bytes) -> str:
     return f"url(data:font/woff2;base64,{b64encode(content).decode()})"
 
 
 def _colors(theme: str) -> str:
     """Return a theme's colours as custom properties with Streamlit's names."""
-    colors = modules.theme_colors(theme, modules.contents()["markup.js"].decode() + _page_css())
+    colors = modules.theme_colors(theme, modules.collect_files()["markup.js"].decode() + _page_css())
     colors["--st-widget-border-color"] = colors["--st-border-color"]
     return " ".join(f"{name}: {color};" for name, color in colors.items())
 

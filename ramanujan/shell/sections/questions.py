@@ -41,9 +41,8 @@ def draw_section() -> None:
     """Draw a question with its verdict, and list the solved questions."""
     st.header(_("Try it yourself"), anchor=False)
     # These labels must not change, because the browser identifies an option by its label.
-    name = widgets.selectbox(
-        QUESTION, _("What do you want to work out?"), {name: find_title(name) for name in QUESTIONS}
-    )
+    titles = {question: find_title(question) for question in QUESTIONS}
+    name = widgets.selectbox(QUESTION, _("What do you want to work out?"), titles)
     judge_typed(name)
     draw_question(name)
     solved = [question for question in QUESTIONS if is_solved(question)]
