@@ -11,8 +11,8 @@ const PAUSE = 300; // ms from the last turn until the step is sent to the server
 export default function (component, signal) {
   const sheet = document.head.appendChild(document.createElement("style"));
   // Keys that also scroll the page turn a step only while the lecture is in view.
-  const turns = ({ key }) => key.startsWith("Arrow") || dom.inView(dom.lecture());
-  const turner = new Turner(component, signal, { moves: "input", turns, turned, onward: dom.onward });
+  const mayTurn = ({ key }) => key.startsWith("Arrow") || dom.inView(dom.lecture());
+  const turner = new Turner(component, signal, { sliderEvent: "input", mayTurn, onTurned, onward: dom.onward });
   const send = debounce(PAUSE, () => component.setStateValue("at", { route, step: turner.now }), signal);
   let route;
   signal.addEventListener("abort", () => sheet.remove());
@@ -25,7 +25,7 @@ export default function (component, signal) {
     bus.publish("step", turner.now);
   }
 
-  function turned() {
+  function onTurned() {
     reveal();
     send();
   }

@@ -6,39 +6,39 @@ import { dom } from "./streamlit_dom.js";
 const INTENT = 8; // px along the slider after which a touch is a drag
 
 export default function (_component, signal) {
-  let waiting = null; // the pointerdown of a touch whose direction is not yet known
+  let pendingTouch = null; // the pointerdown of a touch whose direction is not yet known
   let isReplaying = false;
   const on = (type, handler, options) => window.addEventListener(type, handler, { capture: true, signal, ...options });
   const replay = (event) => {
     isReplaying = true;
-    waiting.target.dispatchEvent(new PointerEvent(event.type, event));
+    pendingTouch.target.dispatchEvent(new PointerEvent(event.type, event));
     isReplaying = false;
   };
   on("pointerdown", (event) => {
     if (isReplaying || event.pointerType !== "touch" || !dom.isSliderTrack(event.target)) return;
     event.stopImmediatePropagation();
-    waiting = event;
+    pendingTouch = event;
   });
   on("touchstart", (event) => dom.isSliderTrack(event.target) && event.stopImmediatePropagation());
   // Plotly interprets a touch as a drag, and the wheel as a zoom. It receives only taps, as clicks.
   for (const type of ["touchstart", "touchmove", "wheel"])
     on(type, (event) => dom.graphOf(event.target) && event.stopImmediatePropagation(), { passive: true });
   on("pointermove", (event) => {
-    if (isReplaying || waiting?.pointerId !== event.pointerId) return;
-    const [x, y] = [event.clientX - waiting.clientX, event.clientY - waiting.clientY];
+    if (isReplaying || pendingTouch?.pointerId !== event.pointerId) return;
+    const [x, y] = [event.clientX - pendingTouch.clientX, event.clientY - pendingTouch.clientY];
     event.stopImmediatePropagation();
     if (Math.abs(x) < INTENT || Math.abs(x) < Math.abs(y)) return;
-    replay(waiting); // at the first position of the finger, so that the thumb stays under it
-    waiting = null;
+    replay(pendingTouch); // at the first position of the finger, so that the thumb stays under it
+    pendingTouch = null;
   });
   on("pointerup", (event) => {
-    if (isReplaying || waiting?.pointerId !== event.pointerId) return;
+    if (isReplaying || pendingTouch?.pointerId !== event.pointerId) return;
     event.stopImmediatePropagation();
-    replay(waiting);
+    replay(pendingTouch);
     replay(event);
-    waiting = null;
+    pendingTouch = null;
   });
   on("pointercancel", (event) => {
-    if (waiting?.pointerId === event.pointerId) waiting = null;
+    if (pendingTouch?.pointerId === event.pointerId) pendingTouch = null;
   });
 }

@@ -7,17 +7,17 @@ import { Turner } from "./turning.js";
 const TIMEOUT = 5000; // ms after which a request without an answer is dropped
 
 export default function (component, signal) {
-  const turner = new Turner(component, signal, { moves: "change", turns, turned });
+  const turner = new Turner(component, signal, { sliderEvent: "change", mayTurn, onTurned });
   let request = null; // { stop, refusal, time } of the last turn without an answer
 
-  function turned(stop) {
+  function onTurned(stop) {
     request = { stop, refusal: component.data.refusal, time: performance.now() };
     bus.publish("turned", stop);
     component.setTriggerValue("to", stop);
   }
 
   // On a projector, a clicker's page keys first turn the slides of the present stop, up to the first or last one.
-  function turns({ key }, by) {
+  function mayTurn({ key }, by) {
     return key.startsWith("Arrow") || (key.startsWith("Page") && component.data.clicker && !bus.last("slides")?.has(by));
   }
 

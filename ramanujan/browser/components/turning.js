@@ -15,19 +15,19 @@ export class Turner {
   now = 0;
 
   /**
-   * `moves`: the slider's event that turns. `turns(event, by)`: whether a key may turn by this number of steps. `turned(to)` is
-   * called after a turn. `onward()`: the link after the last step, if any.
+   * `sliderEvent`: the slider's event that turns. `mayTurn(event, by)`: whether a key may turn by this number of steps.
+   * `onTurned(to)` is called after a turn. `onward()`: the link after the last step, if any.
    */
-  constructor(component, signal, { moves, turns, turned, onward }) {
+  constructor(component, signal, { sliderEvent, mayTurn, onTurned, onward }) {
     const root = component.parentElement;
     const [slider, output] = root.querySelectorAll("input, output");
-    Object.assign(this, { component, turned, onward, slider, output });
+    Object.assign(this, { component, onTurned, onward, slider, output });
     this.buttons = [...root.querySelectorAll("button")];
     for (const button of this.buttons) button.addEventListener("click", () => this.go(this.now + Number(button.dataset.by)));
-    this.slider.addEventListener(moves, () => this.go(Number(this.slider.value)));
+    this.slider.addEventListener(sliderEvent, () => this.go(Number(this.slider.value)));
     const press = (event) => {
       const space = event.key === " ", by = turnOf(event, KEYS) * (space && event.shiftKey ? -1 : 1);
-      if (!by || event.composedPath()[0].matches?.(space ? dom.TAKES_SPACE : dom.TAKES_KEYS) || !turns(event, by)) return;
+      if (!by || event.composedPath()[0].matches?.(space ? dom.TAKES_SPACE : dom.TAKES_KEYS) || !mayTurn(event, by)) return;
       // The space bar must not scroll the page at the last step.
       if (this.go(this.now + by) || space) event.preventDefault();
     };
@@ -43,7 +43,7 @@ export class Turner {
     }
     this.show(to);
     bus.publish("announce", { sentence: this.slider.ariaValueText, urgent: true });
-    this.turned(to);
+    this.onTurned(to);
     return true;
   }
 
