@@ -159,7 +159,7 @@ def open_address(page: Page, address: str, *scripts: str) -> None:
 MOUNTED = """() => {
   const isMounted = ({ shadowRoot }) =>
     shadowRoot?.querySelector("style, section") && !shadowRoot.querySelector(".stage:not(.ready)");
-  const isInvisible = (component) => component.closest("[class*=_published], [class*=_pick], .st-key-keys");
+  const isInvisible = (component) => component.closest("[class*=st-key-unseen]");
   const components = [...document.querySelectorAll("[data-testid=stBidiComponentIsolated]")];
   return components.every((component) => isMounted(component) || isInvisible(component));
 }"""

@@ -26,7 +26,7 @@ def wide_formulas(block: Any) -> list[Any]:
     on_phone = []
     for inner in block:
         key = getattr(inner, "key", None) or ""
-        if key.startswith("narrow_"):
+        if key.startswith("narrow-"):
             on_phone += [id(formula) for formula in inner.latex]
     return [element for element in block if element.type in ("markdown", "latex") and id(element) not in on_phone]
 

@@ -52,7 +52,7 @@ READABLE = """() => {
     range.selectNodeContents(node);
     return [...range.getClientRects()];
   });
-  const place = wall.querySelector(".st-key-wall_still, .st-key-wall_running").getBoundingClientRect();
+  const place = wall.querySelector(".st-key-wall-still, .st-key-wall-running").getBoundingClientRect();
   return words.length > 5 && words.every((box) => box.bottom <= Math.min(reach, place.top + 1) && box.right <= right);
 }"""
 """Whether all words are above the machine, in the scrollable area, and not cut at the right edge."""
@@ -322,7 +322,7 @@ def test_a_class_plays_the_short_lesson_from_a_phone_and_downloads_its_votes(scr
         if number % 3 == 2:
             check_reply(screens, stop, own)
     assert not wall.locator("header a, .st-key-pager button").first.is_visible()
-    screens.press(".st-key-table_learned")
+    screens.press(".st-key-table-learned")
     expect(wall.locator("h1")).to_have_text(["What the class has learned"])
     check_download(desk, votes_of_stops)
 

@@ -88,7 +88,7 @@ def check_back_and_arrows(page) -> None:
 
 def check_clickers(page) -> None:
     """Check that clickers and the space bar turn steps, that typing does not, and that the step is announced."""
-    status = page.locator(".st-key-services [role=status]")
+    status = page.locator(".st-key-unseen-services [role=status]")
     assert "Step 10 of " not in status.text_content()
     page.get_by_role("button", name="Next").click()
     heading = page.locator(STEP).inner_text().split(". ", 1)[1]
@@ -256,11 +256,11 @@ def test_headings_keep_their_place_beside_the_machine_and_every_body_has_its_ink
     # The pointer on a term highlights its body and the body's arrow. On a body it highlights the terms.
     for _turn in range(10):
         page.keyboard.press("ArrowLeft")
-    page.locator(".st-key-step_4 .katex-html [style*=color]", has_text="m").first.hover()
+    page.locator(".st-key-step-4 .katex-html [style*=color]", has_text="m").first.hover()
     assert page.evaluate(f"{BESIDE}.querySelectorAll('.moving > .block.lit, [data-mark=X_sense].lit').length") == 2
     page.locator(".st-key-beside .moving > .body.slab").focus()
     green = "rgb({}, {}, {})".format(*rgb(THEME["light"]["greenTextColor"]))
-    glows = """() => [...document.querySelectorAll('.st-key-step_4 .katex-html [style*="color"]')]
+    glows = """() => [...document.querySelectorAll('.st-key-step-4 .katex-html [style*="color"]')]
         .filter((term) => getComputedStyle(term).textShadow !== "none").map((term) => term.style.color)"""
     assert set(page.evaluate(glows)) == {green}
     broken = []

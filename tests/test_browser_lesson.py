@@ -94,7 +94,7 @@ def check_prediction(page) -> None:
     assert "normalized" in page.evaluate(BUS)
     # The clock is in view with the machine.
     assert page.evaluate(f"{inside('stage_two-clocks_0')}.querySelector('.dial').getBoundingClientRect().bottom") < 720
-    expect(page.locator(".st-key-services [role=status]")).to_contain_text("Your prediction was different.")
+    expect(page.locator(".st-key-unseen-services [role=status]")).to_contain_text("Your prediction was different.")
 
 
 def check_turning(page) -> None:
@@ -121,7 +121,7 @@ def check_turning(page) -> None:
 
 def check_machines(page) -> None:
     """Check that machines to compare are side by side, and on a phone one below the other."""
-    machines = page.locator(".st-key-observed_three svg.machine")
+    machines = page.locator(".st-key-observed-several-3 svg.machine")
     expect(machines).to_have_count(3)
     boxes = [machine.bounding_box() for machine in machines.all()]
     assert len({round(box["y"]) for box in boxes}) == 1
@@ -149,7 +149,7 @@ def check_stopwatch(page) -> None:
 
 def test_on_a_phone_the_verdict_is_visible_and_hands_are_compared_at_the_moment_of_the_question(visit):
     page = visit("lesson?chosen=two-clocks.ahead", width=390, height=844)
-    verdict, machine = (page.locator(place).first.bounding_box() for place in (".st-key-judged", "svg.machine"))
+    verdict, machine = (page.locator(place).first.bounding_box() for place in (".st-key-lead-verdict", "svg.machine"))
     reason = page.get_by_role("link", name="See the two clocks").bounding_box()
     assert verdict["height"] > 20
     assert verdict["y"] + verdict["height"] <= machine["y"] < 600

@@ -259,7 +259,7 @@ def check_keys_behind_the_slab(page, late_by) -> None:
 
 NOTICE_AT_ONCE = """() => {
   const app = document.querySelector("[data-testid=stApp]");
-  const services = document.querySelector(".st-key-services [data-testid=stBidiComponentIsolated]").shadowRoot;
+  const services = document.querySelector(".st-key-unseen-services [data-testid=stBidiComponentIsolated]").shadowRoot;
   const notice = services.querySelector("p:not([role])");
   new MutationObserver(() => requestAnimationFrame(() => (window.noticeAtOnce ??= !notice.hidden)))
     .observe(app, { attributeFilter: ["data-test-connection-state"] });
@@ -279,7 +279,7 @@ def check_broken_network(page, late) -> None:
         take_slab(page, by)
         late.way.down()
         # The page shows a notice, and continues to work.
-        notice = page.locator(".st-key-services p:not([role])")
+        notice = page.locator(".st-key-unseen-services p:not([role])")
         expect(notice).to_have_text("Reconnecting to the server. The page keeps everything that you set.")
         expect(notice).to_be_visible()
         assert page.evaluate("window.noticeAtOnce")

@@ -16,7 +16,7 @@ from tests.browser import STAGE, inside, module, next_frame, script, settle, tra
 from tests.test_export import ENGINE, environments_nest, typeset
 from tests.test_look import THEME, rgb
 
-REGION = ".st-key-services [role=status]"
+REGION = ".st-key-unseen-services [role=status]"
 
 
 # ---- the machine first
@@ -76,8 +76,8 @@ def test_events_are_announced_once_and_the_assumptions_about_the_host_pages_are_
     region = page.locator(REGION)
     page.evaluate(
         """() => {
-          const region = document.querySelector(".st-key-services [data-testid=stBidiComponentIsolated]").shadowRoot
-            .querySelector("[role=status]");
+          const services = document.querySelector(".st-key-unseen-services [data-testid=stBidiComponentIsolated]");
+          const region = services.shadowRoot.querySelector("[role=status]");
           window.announced = [];
           new MutationObserver(() => region.textContent && window.announced.push(region.textContent))
             .observe(region, { childList: true, characterData: true, subtree: true });

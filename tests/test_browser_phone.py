@@ -224,14 +224,14 @@ def check_stop_fits(page: Page, stop: str, wrong: str) -> None:
         page.set_viewport_size({"width": width, "height": height})
         next_frame(page)
         top = page.locator("[data-testid=stSidebar]").bounding_box()["y"]
-        assert page.locator(".st-key-posed h1").bounding_box()["y"] >= 48
+        assert page.locator(".st-key-lead-question h1").bounding_box()["y"] >= 48
         for option in page.locator(".st-key-options button").all():
             box = option.bounding_box()
             assert box["y"] + box["height"] <= top
     for key in (f"option_{stop}_{wrong}", f"on_{stop}", f"on_{stop}"):
         page.locator(f".st-key-{key} button").tap()
         settle(page)
-    assert page.locator(".st-key-judged .stMarkdown").count() == 2
+    assert page.locator(".st-key-lead-verdict .stMarkdown").count() == 2
     for width, height in SMALL:
         page.set_viewport_size({"width": width, "height": height})
         next_frame(page)

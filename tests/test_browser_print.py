@@ -19,7 +19,7 @@ CONTROLS = (
     "Position in the period",
     "Print this page",
 )
-CUT = """() => ['.katex-display > .katex, .main-svg, .st-key-worksheet_picture img, [class*=st-key-question_] .base']
+CUT = """() => ['.katex-display > .katex, .main-svg, .st-key-worksheet_picture img, [class*=st-key-question-] .base']
   .flatMap((selector) => [...document.querySelectorAll(selector)])
   .filter((node) => node.checkVisibility())
   .filter((node) => node.getBoundingClientRect().right > document.documentElement.clientWidth + 1)

@@ -35,7 +35,7 @@ def values(app) -> dict[str, float]:
 
 def box(app, key: str) -> dict[str, object]:
     """Return the message to a slider's box, from the machine's fragment or else from the sidebar."""
-    messages = (json.loads(e.proto.json) for e in app.get("bidi_component") if e.proto.id.endswith("_published"))
+    messages = (json.loads(e.proto.json) for e in app.get("bidi_component") if "unseen-published" in e.proto.id)
     return next(message[f"exact/{key}"] for message in messages if f"exact/{key}" in message)
 
 

@@ -34,7 +34,7 @@ def sent(app) -> str:
 def published(app) -> dict[str, object]:
     """Return topic → published message. A fragment's message replaces the sidebar's."""
     components = [component.proto for component in app.get("bidi_component")]
-    messages = [json.loads(component.json) for component in components if "_published" in component.id]
+    messages = [json.loads(component.json) for component in components if "unseen-published" in component.id]
     return {topic: payload for message in reversed(messages) for topic, payload in message.items()}
 
 

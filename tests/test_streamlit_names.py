@@ -7,6 +7,7 @@ from pathlib import Path
 import streamlit
 from streamlit.runtime.scriptrunner_utils.script_run_context import ScriptRunContext
 
+from ramanujan.browser.roles import ROLES
 from tests.browser import ROOT
 
 _NAME = re.compile(r"data-testid[$^]?=\W?(st\w+)|\.(st[A-Z]\w+)")
@@ -32,3 +33,13 @@ def test_every_selector_matches_streamlits_page():
 def test_the_selectors_are_in_the_files_that_upgrading_lists():
     listed = _TABLE_ROW.findall((ROOT / ".github" / "upgrading.md").read_text(encoding="utf-8"))
     assert listed == sorted(name for name, text in SOURCES.items() if _NAME.search(text) or _INSIDE.search(text))
+
+
+def test_every_role_has_rules_and_every_rule_has_a_role_or_a_key():
+    sheets = "".join(text for name, text in SOURCES.items() if name.endswith(".css"))
+    others = "".join(text for name, text in SOURCES.items() if name.endswith((".py", ".js")))
+    selected = set(re.findall(r"st-key-([a-z]+)-[a-z]*", sheets))
+    # Elements without a visible part are not containers.
+    assert selected == {*ROLES, "unseen"}
+    for role in ROLES:
+        assert f'container("{role}", ' in others

@@ -247,7 +247,7 @@ def show_desk_view(code: str) -> None:
     if text != last_text:
         view = {**json.loads(text), "ago": age}
         st.session_state[_FOLLOWED] = text, view
-    components.publish("class_seen_published", {f"view/stop_{view['stop']}": view})
+    components.publish("class_seen", {f"view/stop_{view['stop']}": view})
 
 
 def _become_lecturer(key: str) -> None:

@@ -12,6 +12,7 @@ from typing import Any
 import streamlit as st
 
 from ramanujan.browser import components, stage
+from ramanujan.browser.roles import container
 from ramanujan.shell import address
 from ramanujan.shell.parameters import PARAMETERS
 from ramanujan.translation import _
@@ -56,9 +57,9 @@ def slide(name: str, title: str) -> AbstractContextManager[Any]:
     """
     if not is_projector():
         return nullcontext()
-    container = st.container(key=f"slide-{name}")
-    container.html(f'<i data-slide="{escape(title)}"></i>')
-    return container
+    slide_container = container("slide", name)
+    slide_container.html(f'<i data-slide="{escape(title)}"></i>')
+    return slide_container
 
 
 def columns(name: str) -> Sequence[AbstractContextManager[Any]]:
@@ -72,7 +73,7 @@ def columns(name: str) -> Sequence[AbstractContextManager[Any]]:
     """
     if is_projector():
         return nullcontext(), nullcontext()
-    row = st.container(key=f"columns_{name}")
+    row = container("columns", name)
     return row.container(), row.container()
 
 
@@ -85,7 +86,7 @@ def floated(name: str) -> Sequence[AbstractContextManager[Any]]:
     ----------
     name : name of the containers, unique on the page
     """
-    both = st.container(key=f"floated_{name}")
+    both = container("floated", name)
     return both.container(), both.container()
 
 

@@ -15,6 +15,7 @@ import streamlit as st
 
 from ramanujan import UNIT_MASS_RATIO, Oscillator
 from ramanujan.browser import components
+from ramanujan.browser.roles import container
 from ramanujan.numerals import number as format_number
 from ramanujan.shell import cache, display_mode, messages, pending_updates, widgets
 from ramanujan.shell.parameters import MACHINE, PARAMETERS, SENTENCES, read_number
@@ -100,12 +101,13 @@ def draw_symbols() -> None:
     with st.expander(pgettext("list of them", "Symbols"), key="symbols", on_change="rerun") as opened:
         if opened.open:
             entries = cache.symbols("euler_lagrange", x_0=_("compression of the spring at release [m]"))
-            st.markdown("\n".join(f"- {entry}" for entry in entries))
+            with container("list", "symbols"):
+                st.markdown("\n".join(f"- {entry}" for entry in entries))
 
 
 def end() -> None:
     """Publish the values of the sliders to the boxes, after all sliders are drawn."""
-    components.publish("boxes_published", collect_box_messages())
+    components.publish("boxes", collect_box_messages())
     pending_updates.draw()
 
 

@@ -6,6 +6,7 @@ from typing import Any, Literal
 
 import streamlit as st
 
+from ramanujan.browser.roles import container
 from ramanujan.shell import address
 from ramanujan.shell.address import Choice, Count
 from ramanujan.shell.parameters import LONGEST, Parameter
@@ -94,7 +95,7 @@ def table(rows: Sequence[Sequence[str]], key: str) -> None:
     head, *others = rows
     rule = ["---"] * len(head)
     lines = [f"| {' | '.join(row)} |" for row in (head, rule, *others)]
-    with st.container(key=f"table_{key}"):
+    with container("table", key):
         st.markdown("\n".join(lines))
 
 
@@ -104,9 +105,9 @@ def equations(key: str, wide: str, narrow: str) -> None:
         st.latex(wide)
         return
     # The server does not know the width of a window.
-    with st.container(key=f"equations_{key}"):
+    with container("equations", key):
         st.latex(wide)
-    with st.container(key=f"narrow_{key}"):
+    with container("narrow", key):
         st.latex(narrow)
 
 

@@ -36,7 +36,7 @@
   for (const form of bodies) if (outside(form.getBoundingClientRect())) defects.add("a body is cut");
   const boxes = (selector) => roots.flatMap((root) => [...root.querySelectorAll(selector)]).filter(isVisible).map((node) => node.getBoundingClientRect());
   // A program or an equation shares its area with a machine that illustrates it.
-  const [place] = boxes(".st-key-wall_still, .st-key-wall_running");
+  const [place] = boxes(".st-key-wall-still, .st-key-wall-running");
   if (place && (place.width * place.height) / (innerWidth * innerHeight) < 1 / 3) defects.add("the machine has less than a third of the wall");
   if (place && boxes("svg.machine").reduce((sum, box) => sum + box.width * box.height, 0) / (innerWidth * innerHeight) < 0.08) defects.add("the picture is small");
   if (boxes(".face").some((box) => box.height < 0.15 * innerHeight)) defects.add("the clock is small");

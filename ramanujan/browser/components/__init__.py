@@ -68,7 +68,9 @@ def mount_services(theme: str, waits: bool, on_moving: Callable[[], None]) -> bo
         "ring": {"stage": "oscillator", "label": _("Your machine: ε = {ratio}, Ω²m/k = {normalized}")},
     }
     services = modules.component("components/services")
-    return bool(services(key="services", data=data, on_switched_change=lambda: None, on_moving_change=on_moving).moving)
+    return bool(
+        services(key="unseen-services", data=data, on_switched_change=lambda: None, on_moving_change=on_moving).moving
+    )
 
 
 def publish(key: str, topics: Mapping[str, Any]) -> Any:
@@ -76,10 +78,10 @@ def publish(key: str, topics: Mapping[str, Any]) -> Any:
 
     Parameters
     ----------
-    key : Streamlit's key of the element
+    key : key of the element, unique among the published ones
     topics : topic → value; a value equal to that of the last run is not published again
     """
-    return modules.component("components/publish")(key=key, data=dict(topics))
+    return modules.component("components/publish")(key=f"unseen-published_{key}", data=dict(topics))
 
 
 def story(data: Mapping[str, Any]) -> Any:
@@ -152,7 +154,9 @@ def moment(stage: str, time: float, label: str) -> Any:
 
 def return_focus(*keys: str) -> None:
     """Return the keyboard focus to the page after each click on one of these widgets."""
-    modules.component("components/keys")(key="keys", data={"choices": ", ".join(f".st-key-{key}" for key in keys)})
+    modules.component("components/keys")(
+        key="unseen-keys", data={"choices": ", ".join(f".st-key-{key}" for key in keys)}
+    )
 
 
 def drawer() -> Any:
@@ -208,7 +212,9 @@ def pick(figure: str, on_picked: Callable[[dict[str, float]], None]) -> Any:
     figure : key of the figure
     on_picked : called with the point's x and y, in the units of the axes
     """
-    return mount("components/pick", f"{figure}_pick", {"figure": figure}, "picked", on_picked, {"x": 0.0, "y": 0.0})
+    return mount(
+        "components/pick", f"unseen-pick_{figure}", {"figure": figure}, "picked", on_picked, {"x": 0.0, "y": 0.0}
+    )
 
 
 def steps(route: str, headings: Sequence[str], on_turned: Callable[[str, int], None], onward: bool) -> Any:

@@ -20,7 +20,7 @@ export default function (component, signal) {
   /** Show the present step and hide all others. */
   function reveal() {
     // The doubled class takes precedence over page.css, which hides all steps.
-    const step = `.st-key-step_${turner.now}`;
+    const step = `.st-key-step-${turner.now}`;
     sheet.textContent = `#root .st-key-lecture ${step}${step} { display: var(--step, flex); }`;
     bus.publish("step", turner.now);
   }

@@ -201,7 +201,7 @@ export const dom = {
     [role=tab], [role=button], [role=option]`,
 
   /** The elements that may be too wide: formulas, paragraphs with formulas, tables and their boxes. */
-  boxes: () => [...document.querySelectorAll(".stMarkdown :is(.katex-display, table, p:has(.katex)), [class*='st-key-table_']")],
+  boxes: () => [...document.querySelectorAll(".stMarkdown :is(.katex-display, table, p:has(.katex)), [class*='st-key-table-']")],
 
   /** Whether a box can be scrolled sideways. */
   scrollsAside: (box) => box.scrollWidth > box.clientWidth && /auto|scroll/.test(getComputedStyle(box).overflowX),
@@ -260,7 +260,7 @@ export const dom = {
     const isTooHigh = (box) =>
       [...box.querySelectorAll(".stElementContainer, .stPlotlyChart")].some((node) => bottom(node) > bottom(box) + 1);
     return slide.scrollHeight > slide.clientHeight + 1 || [...slide.children].filter(dom.hasFigure).some(isTooHigh) ||
-      [slide, ...slide.querySelectorAll("[class*='st-key-table_']")].some(dom.scrollsAside);
+      [slide, ...slide.querySelectorAll("[class*='st-key-table-']")].some(dom.scrollsAside);
   },
   /** Shrink each formula of a slide that is too wide for its box (projector.css). */
   fitFormulas(slide) {

@@ -1,5 +1,6 @@
-// Sets the theme's colours for page.css; Streamlit provides them only to components. After a switch of the theme it requests a
-// rerun of the page, because the server draws the figures.
+// Sets the theme's colours for page.css; Streamlit provides them only to components. Every other rule overrides a rule of a layer,
+// so print.css and contrast.css can replace the colours. After a switch of the theme this module requests a rerun of the page,
+// because the server draws the figures.
 
 import { dom } from "./streamlit_dom.js";
 
@@ -9,6 +10,8 @@ const COLORS = {
   gray: "gray", orange: "orange", blue: "blue", green: "green", violet: "violet", red: "red",
 };
 const ATTEMPTS = 5; // largest number of requests after a switch
+const sheet = new CSSStyleSheet();
+document.adoptedStyleSheets.push(sheet);
 
 export default function (component, signal) {
   let timer = 0, attempts = 0;
@@ -31,7 +34,6 @@ export default function (component, signal) {
 }
 
 function setColors(parentElement) {
-  // Read all colours before setting the first, because each reading after a change would compute all styles again.
-  const colors = Object.entries(COLORS).map(([name, streamlitName]) => [`--${name}`, dom.color(parentElement, streamlitName)]);
-  for (const each of colors) document.documentElement.style.setProperty(...each);
+  const colors = Object.entries(COLORS).map(([name, streamlitName]) => `--${name}: ${dom.color(parentElement, streamlitName)};`);
+  sheet.replaceSync(`@layer theme { :root { ${colors.join(" ")} } }`);
 }

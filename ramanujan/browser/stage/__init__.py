@@ -208,4 +208,4 @@ def publish(
     """
     hidden = sorted(hide)
     message = {**data, "hide": hidden} if hidden else data
-    components.publish(f"{key}_published", {f"machine/{name or key}": message, **(more or {})})
+    components.publish(key, {f"machine/{name or key}": message, **(more or {})})

@@ -7,6 +7,7 @@ import streamlit as st
 
 from ramanujan import UNIT_MASS_RATIO
 from ramanujan.browser import components, stage
+from ramanujan.browser.roles import container
 from ramanujan.derivation import ROUTES, Step
 from ramanujan.derivation.energies import PARTS
 from ramanujan.derivation.nomenclature import DOTS
@@ -85,7 +86,7 @@ def draw_route() -> Setting:
     with slide("lecture", _("The steps")):
         st.title(_("Many ways to one frequency"), anchor=False)
         head = st.container(horizontal=True, vertical_alignment="center", key="choices")
-        with st.container(key="lectured" if setting.is_lecture else "reading"):
+        with container("route", "lecture" if setting.is_lecture else "reading"):
             picture, steps = st.container(), st.container()
         with picture:
             stages.mount(None, key="beside", clock="beside", layers=("coordinates",), compact=True)
@@ -183,7 +184,7 @@ def draw_steps(setting: Setting) -> None:
     # The hidden steps leave no gaps. page.css hides them, and steps.js shows one.
     with st.container(key="lecture", gap=None):
         for number in range(1, steps + 1):
-            with st.container(key=f"step_{number}"):
+            with container("step", str(number)):
                 draw_step(setting, number)
 
 
@@ -241,7 +242,8 @@ def explain_symbols(setting: Setting) -> None:
     if setting.numbers:
         st.caption(state_numbers(setting.numbers))
     meanings = "\n".join(f"- {meaning}" for meaning in symbols(setting.route))
-    st.expander(_("What the symbols of this route mean"), key="meanings").caption(f"{meanings}\n\n{DOTS}")
+    with st.expander(_("What the symbols of this route mean"), key="meanings"), container("list", "meanings"):
+        st.caption(f"{meanings}\n\n{DOTS}")
 
 
 @st.fragment

@@ -13,6 +13,7 @@ import streamlit as st
 
 from ramanujan import Oscillator, drawn_spacing
 from ramanujan.browser import components, stage
+from ramanujan.browser.roles import container
 from ramanujan.contact import first_to_slip
 from ramanujan.lesson import Run, Stop
 from ramanujan.lesson.classes import Phase
@@ -26,7 +27,7 @@ from ramanujan.translation import _
 
 _PLACES = ("hoop", "cylinder", "top")
 """Names of the three rollers in the data of a stage: left, right and top, whatever their shape."""
-_SEVERAL = {2: "two", 3: "three"}
+_SEVERAL = {2: "several-2", 3: "several-3"}
 """Number of machines → their arrangement in the style sheets."""
 _LOADED = "lesson_loaded"
 """Session state: the stop whose machine was last loaded into the sliders, and whether its machine was running."""
@@ -125,7 +126,7 @@ def draw(stop: Stop, number: int) -> None:
             words, picture, reason = draw_containers(stop, running)
         else:
             words = picture = reason = st.container()
-        with above or words, st.container(key="posed"):
+        with above or words, container("lead", "question"):
             st.title(f"{number}. {stop.heading}", anchor=False)
             st.markdown(stop.question)
         with words:
@@ -165,7 +166,7 @@ def _draw_caption(stop: Stop, running: bool) -> None:
     if running and not stop.runs[0].label:
         st.button(_("Change it with the sliders"), key=f"sliders_{stop.id}", on_click=_open_sliders)
     if are_sliders_open():
-        components.publish("sliders_published", {"sliders": st.session_state[_SLIDERS]})
+        components.publish("sliders", {"sliders": st.session_state[_SLIDERS]})
 
 
 def draw_observation(stop: Stop, running: bool, fixed: bool = False) -> None:
@@ -179,7 +180,7 @@ def draw_observation(stop: Stop, running: bool, fixed: bool = False) -> None:
     """
     if stop.exhibit:
         st.markdown(stop.outcome if running and stop.outcome else stop.exhibit)
-    with st.container(key=f"observed_{_arrangement(stop, running)}"):
+    with container("observed", _arrangement(stop, running)):
         draw_machines(stop, running, fixed)
 
 
@@ -205,7 +206,7 @@ def _arrangement(stop: Stop, running: bool) -> str:
 
 def draw_options(stop: Stop) -> None:
     """Draw the options and the hints."""
-    with st.container(key="asking", gap="xsmall"):
+    with container("lead", "options", gap="xsmall"):
         st.markdown(_("**Predict** before you see it:"))
         with st.container(key="options", gap="xsmall"):
             for option, label in stop.options.items():
@@ -223,7 +224,7 @@ def draw_verdict(stop: Stop, chosen: str, phase: str) -> None:
     is_right = chosen == stop.right
     prediction = _("**Your prediction:** {option}").format(option=stop.options[chosen])
     # On a phone this part is above the machine.
-    with st.container(key="judged"):
+    with container("lead", "verdict"):
         if phase == progress.PREDICTED:
             if confirmed_stop() == stop.id:
                 st.info(_("You have not checked your prediction yet. Press “Next” again to go on without."))
@@ -242,7 +243,7 @@ def draw_verdict(stop: Stop, chosen: str, phase: str) -> None:
             st.markdown(f"{prediction}\\\n{stop.reply(chosen)}")
             st.markdown(_(":green[:material/check_circle: **Right answer:**] {option}").format(option=sentence))
     # The clicked button has disappeared with the focus, so announce the result to a screen reader.
-    components.publish(f"verdict_{stop.id}_published", {"announce": {"sentence": sentence, "urgent": True}})
+    components.publish(f"verdict_{stop.id}", {"announce": {"sentence": sentence, "urgent": True}})
 
 
 def _draw_moves(stop: Stop, chosen: str, label: str, phase: str) -> None:

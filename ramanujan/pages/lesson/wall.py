@@ -7,6 +7,7 @@ At the end it shows the results of the class. It contains no key of the lecturer
 import streamlit as st
 
 from ramanujan import lesson
+from ramanujan.browser.roles import container
 from ramanujan.lesson.class_codes import group_code
 from ramanujan.lesson.class_states import END
 from ramanujan.lesson.classes import ClassError, ClassQuestion, Phase, shared
@@ -79,7 +80,7 @@ def _draw_question(code: str, stop: Stop, question: ClassQuestion) -> None:
             class_results.draw_answer(code, stop, question.vote)
         else:
             class_results.show(code, stop, question.vote, is_solved=False)
-    with st.container(key="wall_running" if is_running else "wall_still"):
+    with container("wall", "running" if is_running else "still"):
         stops.draw_observation(stop, running=is_running, fixed=True)
 
 

@@ -7,6 +7,7 @@ import streamlit as st
 
 from ramanujan import Oscillator
 from ramanujan.browser import components, stage
+from ramanujan.browser.roles import container
 from ramanujan.derivation.numbers import Numbers, state_numbers
 from ramanujan.derivation.rows import Row, align, align_for_phone
 from ramanujan.numerals import filled, number
@@ -137,7 +138,7 @@ def draw_curve() -> None:
     drawings.plot(cache.figure(theme.current()), "curve", alternative)
     if shows_numbers():
         describe_machine()
-    with st.container(key="click_curve"):
+    with container("click", "curve"):
         st.caption(texts.CURVE_HINT)
 
 

@@ -10,6 +10,7 @@ import streamlit as st
 from ramanujan import lesson
 from ramanujan.accuracy.work_precision import STEPS_PER_PERIOD
 from ramanujan.browser import stage
+from ramanujan.browser.roles import container
 from ramanujan.figures import speed as figures
 from ramanujan.integrators import METHODS
 from ramanujan.lesson import Attempt
@@ -39,7 +40,7 @@ def draw() -> None:
         draw_question()
     words, picture = st.container(key="beside").columns(2 if projector else [4, 5], gap="small")
     with words:
-        with st.container(key="posed"):
+        with container("lead", "question"):
             if not projector:
                 draw_question()
             st.markdown(TASK.text)
@@ -52,7 +53,7 @@ def draw() -> None:
         )
         st.markdown(verdicts.describe_method(METHODS[method], steps))
     with picture:
-        with st.container(key="observed_race"):
+        with container("observed", "race"):
             draw_machine()
         if address.update(TRIES):
             # The first computation of all methods takes long, and the machine moves meanwhile.

@@ -9,6 +9,7 @@ from ramanujan import Oscillator
 from ramanujan.accuracy.choices import DIGITS, HEIGHT, STATES
 from ramanujan.accuracy.extremes import FORMS, Sweep
 from ramanujan.accuracy.measurement import REFERENCE
+from ramanujan.browser.roles import container
 from ramanujan.figures import speed as figures
 from ramanujan.numerals import duration, filled, number, unbroken
 from ramanujan.pages.speed import cache, verdicts
@@ -139,7 +140,8 @@ def list_choices() -> None:
         **{f"kept_{name}": factor for name, factor in choices.speedups.items()},
         "n": STATES,
     }
-    st.markdown(filled(template, **slots))
+    with container("list", "choices"):
+        st.markdown(filled(template, **slots))
 
 
 def _describe_states(choices: cache.Choices) -> dict[str, object]:

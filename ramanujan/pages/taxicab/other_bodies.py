@@ -7,6 +7,7 @@ import streamlit as st
 
 from ramanujan import number_theory
 from ramanujan.browser import components, stage
+from ramanujan.browser.roles import container
 from ramanujan.figures import taxicab as figures
 from ramanujan.number_theory import BODIES, BodyChoice
 from ramanujan.numerals import filled, in_latex
@@ -166,7 +167,7 @@ def draw_all_machines(chosen: BodyChoice) -> None:
         "two ways, {one} and {other} in one."
     )
     st.caption(sentence.format(**facts))
-    with st.container(key="click_machine"):
+    with container("click", "machine"):
         st.caption(_("Click on a machine to build it."))
 
 

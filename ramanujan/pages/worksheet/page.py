@@ -6,6 +6,7 @@ from contextlib import nullcontext
 import streamlit as st
 
 from ramanujan import Oscillator
+from ramanujan.browser.roles import container
 from ramanujan.lesson.class_codes import ALPHABET, group_code
 from ramanujan.lesson.picture import draw_svg
 from ramanujan.lesson.worksheet import WorksheetQuestion, make_questions, set_in_a_row
@@ -184,7 +185,7 @@ def draw_head(machine: Oscillator, paper: str, seed: str, calculations: list[int
 
 def draw_question(number: int, question: WorksheetQuestion, with_key: bool) -> None:
     """Draw a question with lines to write on, or with its answer. A page break may come only between these lines."""
-    with st.container(key=f"question_{number}"):
+    with container("question", str(number)):
         points = ngettext("({n} point)", "({n} points)", question.points).format(n=question.points)
         begin = f"**{number}.** " if is_projector() else f"**{number}.** {points} "
         st.markdown(begin + "\n\n".join(filter(None, question_parts(question, with_key))))

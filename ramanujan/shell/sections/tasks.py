@@ -7,6 +7,7 @@ import streamlit as st
 
 from ramanujan.accuracy.work_precision import STEPS_PER_PERIOD
 from ramanujan.browser import components, stage
+from ramanujan.browser.roles import container
 from ramanujan.browser.stage.words import BODIES as BODY_WORDS
 from ramanujan.integrators import METHODS
 from ramanujan.lesson import Attempt, Task, TaskVerdict
@@ -34,14 +35,14 @@ _EXAMPLE = _("For example {entry}")
 def draw_task(task: Task) -> TaskVerdict:
     """Draw a task, and return the verdict on the current settings."""
     with slide("task", task.heading):
-        container = st.container(key="beside" if task.has_stage else None)
+        both = st.container(key="beside" if task.has_stage else None)
         if task.has_stage and is_projector():
             picture, words = picture_and_words()
         elif task.has_stage:
-            words, picture = container.columns(2, gap="medium")
+            words, picture = both.columns(2, gap="medium")
         else:
-            words = picture = container
-        with words, st.container(key="posed"):
+            words = picture = both
+        with words, container("lead", "question"):
             st.title(task.heading, anchor=False)
             st.markdown(task.text)
         with words:
@@ -86,7 +87,7 @@ def draw_machine(task: Task, attempt: Attempt) -> None:
         "compact": has_formula,
         "layers": ("coordinates",) if has_formula else (),
     }
-    with st.container(key="observed_part"):
+    with container("observed", "part"):
         if "release" not in task.fields:
             stages.mount(stage.payload(attempt.machine, attempt.compression), **options)
             return
