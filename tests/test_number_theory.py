@@ -268,9 +268,9 @@ def test_convergents_of_the_papers_ratio_are_the_best_machines_to_build():
     assert Fraction(845, 10**6) < errors[Fraction(9, 8)] < Fraction(855, 10**6)
     assert -Fraction(605, 10**8) < errors[Fraction(62, 55)] < -Fraction(595, 10**8)
     root = Fraction(nt.positive_root_digits(*PAPER, 40))
-    for sums in ratios[1:]:
-        for q in range(1, sums.denominator):
-            assert abs(Fraction(round(q * root), q) - root) > abs(sums - root)
+    for convergent in ratios[1:]:
+        for q in range(1, convergent.denominator):
+            assert abs(Fraction(round(q * root), q) - root) > abs(convergent - root)
 
 
 # Exactness and bad input

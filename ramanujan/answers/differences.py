@@ -15,7 +15,7 @@ from ramanujan.answers.spelling import MOTION, SYMBOLS
 from ramanujan.answers.terms import Comparison, TermDifference
 from ramanujan.answers.values import (
     POINTS,
-    Number,
+    PreciseNumber,
     Values,
     agree,
     depends_on,
@@ -195,11 +195,11 @@ def _compare_numbers(question: Question, typed_values: Values) -> list[str]:
     return []
 
 
-def _is_rational(number: Number) -> bool:
+def _is_rational(number: PreciseNumber) -> bool:
     return find_rational_ratio((number,), (1,)) is not None
 
 
-def _test_mass_ratio(typed: sp.Expr, ratio: Number) -> Iterator[str]:
+def _test_mass_ratio(typed: sp.Expr, ratio: PreciseNumber) -> Iterator[str]:
     """Yield a sentence with the frequency of the machine that has this mass ratio."""
     if any(depends_on(typed, symbol) for symbol in SYMBOLS.values()):
         return

@@ -25,8 +25,8 @@ _MP.dps = 1200
 _AGREEING, _VANISHING = _MP.mpf(10) ** -1150, _MP.mpf(10) ** -1180
 """Relative differences below which two values count as equal, and a sum as zero."""
 
-Number: TypeAlias = mpmath.mpf
-Values = tuple[Number, ...]
+PreciseNumber: TypeAlias = mpmath.mpf
+Values = tuple[PreciseNumber, ...]
 Mistakes = tuple[tuple[str, Values], ...]
 """Pairs of a hint and the values of the formula that its mistake leads to."""
 
@@ -35,7 +35,7 @@ class NegativeRootError(ArithmeticError):
     """A root of a negative number."""
 
 
-def evaluate(expression: sp.Expr, values: Mapping[sp.Expr, Number]) -> Number:
+def evaluate(expression: sp.Expr, values: Mapping[sp.Expr, PreciseNumber]) -> PreciseNumber:
     """Return the value of a formula.
 
     Parameters
@@ -59,7 +59,7 @@ def evaluate(expression: sp.Expr, values: Mapping[sp.Expr, Number]) -> Number:
     return _MP.mpf(number.p) / number.q
 
 
-def _sum(parts: list[Number]) -> Number:
+def _sum(parts: list[PreciseNumber]) -> PreciseNumber:
     """Return a sum, exactly zero if the parts cancel up to rounding errors."""
     total = _MP.fsum(parts)
     if any(abs(total) < _VANISHING * abs(part) for part in parts):
@@ -67,7 +67,7 @@ def _sum(parts: list[Number]) -> Number:
     return total
 
 
-def _raise(base: Number, exponent: sp.Rational) -> Number:
+def _raise(base: PreciseNumber, exponent: sp.Rational) -> PreciseNumber:
     """Return a power with an integer or a half-integer exponent."""
     if exponent.is_Integer:
         return base ** int(exponent)
@@ -76,13 +76,13 @@ def _raise(base: Number, exponent: sp.Rational) -> Number:
     return _MP.sqrt(base) ** int(2 * exponent)
 
 
-def make_point(**values: Number | int) -> dict[sp.Expr, Number]:
+def make_point(**values: PreciseNumber | int) -> dict[sp.Expr, PreciseNumber]:
     """Return symbol → value for values by typed name, with ε = m′/m."""
     coordinates = {SYMBOLS[name]: _MP.convert(value) for name, value in values.items()}
     return coordinates | {epsilon: coordinates[m_prime] / coordinates[m]}
 
 
-def _draw_points() -> tuple[dict[sp.Expr, Number], ...]:
+def _draw_points() -> tuple[dict[sp.Expr, PreciseNumber], ...]:
     source = random.Random(1729)
     points = []
     for sign in (1, -1, 1):
@@ -99,7 +99,7 @@ POINTS = _draw_points()
 
 
 @cache
-def move_points(names: tuple[str, ...]) -> tuple[dict[sp.Expr, Number], ...]:
+def move_points(names: tuple[str, ...]) -> tuple[dict[sp.Expr, PreciseNumber], ...]:
     """Return `POINTS` with other values of these names; `eps` changes m′ and the mass ratio."""
     names = tuple("m'" if name == "eps" else name for name in names)
     next_points = POINTS[1:] + POINTS[:1]
@@ -110,7 +110,7 @@ def move_points(names: tuple[str, ...]) -> tuple[dict[sp.Expr, Number], ...]:
     return tuple(points)
 
 
-def evaluate_at_points(expression: sp.Expr, points: tuple[dict[sp.Expr, Number], ...] = POINTS) -> Values:
+def evaluate_at_points(expression: sp.Expr, points: tuple[dict[sp.Expr, PreciseNumber], ...] = POINTS) -> Values:
     """Return the values of a formula at some points.
 
     Raises
@@ -176,7 +176,7 @@ def find_decimals(expression: sp.Expr) -> set[sp.Symbol]:
     return {symbol for symbol in expression.free_symbols if is_decimal(symbol)}
 
 
-def compute_rounding_error(expression: sp.Expr, target: Values) -> Number | None:
+def compute_rounding_error(expression: sp.Expr, target: Values) -> PreciseNumber | None:
     """Return the rounding error of a decimal in the formula, in units of its last digit.
 
     The exact number makes the formula equal to the target at all points. Return None if no such number exists within
@@ -200,11 +200,11 @@ def compute_rounding_error(expression: sp.Expr, target: Values) -> Number | None
 
 
 def _find_exact_number(
-    expression: sp.Expr, decimal: sp.Symbol, target: Values, low: Number, high: Number
-) -> Number | None:
+    expression: sp.Expr, decimal: sp.Symbol, target: Values, low: PreciseNumber, high: PreciseNumber
+) -> PreciseNumber | None:
     """Return the number from low to high that makes the formula right if it replaces a decimal, or None."""
 
-    def relative_error(number: Number, point_number: int = 0) -> Number:
+    def relative_error(number: PreciseNumber, point_number: int = 0) -> PreciseNumber:
         value = evaluate(expression, POINTS[point_number] | {decimal: number})
         return value / target[point_number] - 1
 
