@@ -18,6 +18,9 @@ from ramanujan.shell import drawings, theme
 from ramanujan.shell.display_mode import columns
 from ramanujan.translation import _
 
+_CONFIG = {"displaylogo": False}
+"""Plotly's options for a figure with all its buttons."""
+
 
 @dataclass(frozen=True)
 class Friction:
@@ -195,17 +198,16 @@ def draw_required_friction(motion: Record, friction: Friction) -> None:
     alternative = _(
         "Friction coefficient that each contact needs; a contact that needs more than μ = {mu} slips. {needed}."
     )
-    draw_chart(
-        bars, "friction_needed", alternative.format(mu=fixed(mu, 2), needed=list_values(cache.CONTACTS, needed, ""))
-    )
+    alternative = alternative.format(mu=fixed(mu, 2), needed=list_values(cache.CONTACTS, needed, ""))
+    drawings.plot(bars, "friction_needed", alternative, config=_CONFIG)
     sentence = _("Largest compression without slip: **{length:3↓ cm}**")
     st.markdown(filled(sentence, length=100 * friction.largest))
     explain_friction()
 
 
 def draw_chart(figure: EncodedFigure, name: str, alt: str) -> None:
-    """Draw a figure with Plotly's legend, hover and zoom."""
-    drawings.plot(figure, f"figure_{name}", alt, config={"displaylogo": False})
+    """Draw a figure over time or a phase plane. Its key gives it the height of these figures (type.css)."""
+    drawings.plot(figure, f"figure_{name}", alt, config=_CONFIG)
 
 
 def list_values(names: dict[str, str], values: dict[str, float], unit: str) -> str:
