@@ -35,7 +35,7 @@ _MARKUP = {"turn": "steps"}
 @cache
 def collect_files() -> dict[str, bytes]:
     """Return path → content of all files: modules, style sheets of the pages, and fonts."""
-    sheets = ("contrast", "page", "print", "projector", "type")
+    sheets = ("contrast", "lesson", "page", "print", "projector", "type")
     patterns = ("**/*.js", *(f"components/{name}.css" for name in sheets), "**/*.woff2")
     paths = [path for pattern in patterns for path in sorted(_HERE.glob(pattern))]
     components = sorted(f"components/{path.stem}" for path in paths if path.match("components/*.js"))
@@ -48,6 +48,7 @@ def collect_files() -> dict[str, bytes]:
         f"export const LIGHT = {json.dumps(_light_colors())};",
     }
     files = {path.relative_to(_HERE).as_posix(): path.read_bytes() for path in paths}
+    files["components/page.css"] += files.pop("components/lesson.css")  # one request for both
     # Components are printed in the light theme.
     light_colors = _light_colors() | {"--st-background-color": "#fff"}
     declarations = "".join(f"{name}: {color}; " for name, color in light_colors.items())
