@@ -83,13 +83,16 @@ def rerun(*pages: Page) -> None:
 def vote(phone: Page, number: int) -> None:
     phone.bring_to_front()  # a tab in the background draws once a second
     sent = len(traffic(phone).sent)
+    places = [option.bounding_box() for option in phone.locator(VOTES).all()]
     phone.locator(VOTES).nth(number).click()
     while len(traffic(phone).sent) == sent or traffic(phone).is_unanswered:
         phone.wait_for_timeout(10)
     expect(phone.locator(VOTES).nth(number).locator("input")).to_be_checked()
     confirmation = phone.get_by_text("Your answer counts")
     confirmation.wait_for()
-    # The confirmation is below the top of the option and above the next option.
+    # The vote moves no option. The confirmation is below the top of the option and above the next option.
+    for option, place in zip(phone.locator(VOTES).all(), places, strict=True):
+        assert option.bounding_box()["y"] == pytest.approx(place["y"], abs=2)
     tops = [option.bounding_box()["y"] for option in phone.locator(VOTES).all()] + [float("inf")]
     assert tops[number] <= confirmation.bounding_box()["y"] <= tops[number + 1]
 

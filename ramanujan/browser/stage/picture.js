@@ -14,6 +14,7 @@ import { element, put, set, strip } from "./svg.js";
 import { WORDS } from "./texts.js";
 
 const TRAIL = { positions: 8, apart: TURN / 60 }; // number of past positions, and the phase between two of them
+const CHARACTER = 0.54; // width of a character of the ruler's labels, at most, relative to the picture's font size
 
 /**
  * Make the picture of a stage with these functions:
@@ -33,7 +34,8 @@ export function makePicture(root, { compact, dials, narrow, limits, label }, sig
   const inMoving = finder(moving), layers = makeLayers(root), dial = makeDial(root);
   const sizes = new ResizeObserver(fitText);
   signal.addEventListener("abort", () => sizes.disconnect());
-  let place = null, shifted = 0, ends = [0, 0], trailPhase = 0; // trailPhase: of the last position in the trail
+  let place = null, shifted = 0, trailPhase = 0; // trailPhase: of the last position in the trail
+  let floorShown = { left: 0, right: 0, character: 0 }; // the visible ends, and the width of a character below them
 
   host.classList.toggle("compact", compact);
   host.classList.toggle("no-dials", !dials);
@@ -47,13 +49,13 @@ export function makePicture(root, { compact, dials, narrow, limits, label }, sig
     const scale = svg.getScreenCTM()?.a;
     if (!scale) return;
     svg.style.setProperty("--u", String(1 / scale));
-    // The screen can show more than the view. A label of the ruler that would be cut is hidden.
-    const { left, right } = place.view, word = 2 * parseFloat(getComputedStyle(svg).fontSize);
-    const half = (svg.clientWidth / 2 - word) / scale;
-    ends = [(left + right) / 2 - half, (left + right) / 2 + half];
+    // The screen can show more than the view.
+    const { left, right } = place.view, middle = (left + right) / 2, half = svg.clientWidth / 2 / scale;
+    const character = (CHARACTER * parseFloat(getComputedStyle(svg).fontSize)) / scale;
+    floorShown = { left: middle - half, right: middle + half, character };
     // The scales of the arrows are at the left end of the visible area.
     set(find(".scales"), { transform: `translate(${Math.min(0, (right - left - svg.clientWidth / scale) / 2)})` });
-    slideFloor(svg, shifted, ends);
+    slideFloor(svg, shifted, floorShown);
   }
 
   function geometry(parameters) {
@@ -88,7 +90,7 @@ export function makePicture(root, { compact, dials, narrow, limits, label }, sig
       ...coil(".plain .coil", place.slab.right + plain, place.riser, place.shelf + 3.2, 2),
       ".centre": { transform: `translate(${centreOfMass(known, place, shift)} -2.4)` },
     });
-    if (shift * CM !== shifted) slideFloor(svg, (shifted = shift * CM), ends);
+    if (shift * CM !== shifted) slideFloor(svg, (shifted = shift * CM), floorShown);
     drawTrail(known, playback.phase, shift);
     if (playback.computed) drawComputed(known, playback, shift);
     layers.frame(known, shift, write);
@@ -147,14 +149,15 @@ function drawRuler(root, { floor: [from, to], view }) {
   for (let x = from; x <= to; x += STRETCH) element("text", { x, y: -0.69 * view.bottom }, ruler);
 }
 
-/** Slide the ruler under a view that has moved by `shift`, and write the labels between the two ends. */
-function slideFloor(root, shift, [left, right]) {
+/** Slide the ruler under a view that has moved by `shift`, and write the labels that the ends of the view do not cut. */
+function slideFloor(root, shift, { left, right, character }) {
   const ruler = root.querySelector(".ruler"), stretches = Math.floor(shift / STRETCH), moved = stretches * STRETCH - shift;
   set(ruler, { transform: `translate(${moved})` });
   for (const label of ruler.querySelectorAll("text")) {
     const x = Number(label.getAttribute("x"));
-    label.style.visibility = x + moved > left && x + moved < right ? "" : "hidden";
     if (ruler.dataset.at !== String(stretches)) label.textContent = withUnit(fixed(x + stretches * STRETCH, 0), "cm");
+    const half = (character * label.textContent.length) / 2;
+    label.style.visibility = x + moved - half > left && x + moved + half < right ? "" : "hidden";
   }
   ruler.dataset.at = stretches;
 }

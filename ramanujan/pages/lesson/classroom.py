@@ -557,7 +557,7 @@ def _draw_open_vote(stop: Stop, question: ClassQuestion, chosen: str | None) -> 
     # The database contains the valid answer, also after a reload and after an answer that came too late.
     if st.session_state.get(key) != chosen:
         st.session_state[key] = chosen
-    confirmation = _("Your answer counts. You can change it until the result is shown.")
+    confirmation = _("Your answer counts. You can still change it.")
     captions = None
     if chosen:
         caption = f":green[:material/check_circle: {confirmation}]"
