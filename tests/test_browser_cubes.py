@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 
 from ramanujan.browser import components
+from tests.browser import next_frame
 from tests.engines import ANY_ENGINE
 
 SUMS = [(12, 1), (10, 9)]
@@ -53,3 +54,21 @@ def test_every_unit_cube_of_three_faces_can_be_counted_from_every_side(drawn):
             # Each layer is one unit cube high, and half a unit cube above the one below it.
             assert np.diff([rise for rise, _ in mine]) == pytest.approx([-15 * np.cos(ELEVATION)] * (side - 1))
             assert all(d.count("M") == side + 3 for _, paths in mine for kind, d in paths[:4] if kind == "grid")
+
+
+def test_a_drag_turns_the_cubes_until_the_release(drawn):
+    centre = f"""(({{ x, y, width, height }}) => [x + width / 2, y + height / 2])(
+      {CUBES}.querySelector("svg").getBoundingClientRect())"""
+    (x, y), before = drawn.evaluate(centre), drawn.evaluate(READ)
+    drawn.mouse.move(x, y)
+    drawn.mouse.down()
+    drawn.mouse.move(x + 40, y, steps=6)
+    next_frame(drawn)
+    drawn.mouse.up()
+    after = drawn.evaluate(READ)
+    for old, new in zip(before, after, strict=True):
+        assert len(old) == len(new) == 2
+        assert all(layer != turned for layer, turned in zip(old, new, strict=True))
+    drawn.mouse.move(x + 10, y, steps=3)
+    next_frame(drawn)
+    assert drawn.evaluate(READ) == after
