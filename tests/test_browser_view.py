@@ -84,7 +84,7 @@ SLIDES = {
     "derivation?route=newton&step=4": 4,
     MOTION: 6,
     "1729?left=sphere&top=shell": 8,
-    "speed?periods=1&slide=costs": 7,
+    "speed?periods=1&slide=costs": 9,
     "lesson?stop=zero-modes&chosen=zero-modes.one": 2,
     "lesson?stop=end": 3,
     f"worksheet?seed={name_of(1)}&paper=key&key={key_of(1)}": 11,

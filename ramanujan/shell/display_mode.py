@@ -103,16 +103,19 @@ def picture_and_words(picture_width: int = 3) -> Sequence[AbstractContextManager
 
 
 @st.fragment
-def folded(name: str, title: str, draw: Callable[[], None], *, expanded: bool = False) -> None:
-    """Draw an expander and call `draw` while it is open. In the projector view, call `draw` on a slide instead."""
+def folded(name: str, title: str, *parts: Callable[[], None], expanded: bool = False) -> None:
+    """Draw an expander, and its parts while it is open. In the projector view, draw each part on its own slide."""
     if is_projector():
-        with slide(name, title):
-            draw()
+        for number, draw in enumerate(parts):
+            part_title = _("{heading}, continued").format(heading=title) if number else title
+            with slide(f"{name}_{number}" if number else name, part_title):
+                draw()
         return
     fold = st.expander(title, expanded, key=f"fold_{name}", on_change="rerun")
     if fold.open:
         with fold:
-            draw()
+            for draw in parts:
+                draw()
 
 
 def begin(name: str) -> None:

@@ -1,6 +1,7 @@
 """The sections of page 5 on extremes: large and small numbers, long times, general solvers, the app's own methods."""
 
 from collections.abc import Mapping, Sequence
+from functools import partial
 
 import numpy as np
 import streamlit as st
@@ -59,6 +60,8 @@ _CHOICES = (
     _("**Many states** are computed in one call. For {n} states this is {kept_states:2} times faster than one by one."),
 )
 """The app's own methods with their uses and reasons."""
+_FIRST = 3
+"""Number of methods in the first part of the list."""
 
 
 def draw_forms() -> list[Sweep]:
@@ -113,8 +116,8 @@ def draw_phase_errors(machine: Oscillator) -> None:
         st.markdown(sentence)
 
 
-def compare_solvers() -> None:
-    """List the zero modes that general eigen-solvers find, with an explanation."""
+def explain_solvers() -> None:
+    """Explain which zero modes general eigen-solvers find."""
     _forms, sweeps = cache.sweeps()
     st.markdown(
         _(
@@ -124,13 +127,18 @@ def compare_solvers() -> None:
         )
     )
     st.markdown(verdicts.describe_zero_modes(sweeps))
+
+
+def list_zero_modes() -> None:
+    """Draw a table of the zero modes that general eigen-solvers find."""
+    _forms, sweeps = cache.sweeps()
     widgets.table(verdicts.zero_mode_table(sweeps), "zero_modes")
 
 
-def list_choices() -> None:
-    """List the app's own methods with their uses, reasons and measurements, the named slots of `_CHOICES`."""
+def list_choices(sentences: Sequence[str]) -> None:
+    """List the app's own methods with their uses, reasons and measurements, the named slots of the sentences."""
     choices = cache.choices()
-    template = "\n".join(f"- {sentence}" for sentence in _CHOICES)
+    template = "\n".join(f"- {sentence}" for sentence in sentences)
     slots = {
         **_describe_states(choices),
         **_describe_forms(),
@@ -140,8 +148,12 @@ def list_choices() -> None:
         **{f"kept_{name}": factor for name, factor in choices.speedups.items()},
         "n": STATES,
     }
-    with container("list", "choices"):
+    with container("list", "choices" if sentences == _CHOICES[:_FIRST] else "choices_on"):
         st.markdown(filled(template, **slots))
+
+
+CHOICES = (partial(list_choices, _CHOICES[:_FIRST]), partial(list_choices, _CHOICES[_FIRST:]))
+"""Functions that draw the two parts of the list of methods."""
 
 
 def _describe_states(choices: cache.Choices) -> dict[str, object]:

@@ -45,8 +45,9 @@ def show() -> None:
             extremes.list_failures(forms)
     with slide("periods", _("Very many periods")):
         extremes.draw_phase_errors(sidebar.oscillator())
-    folded("solver", _("A general eigen-solver, which does not know this machine"), extremes.compare_solvers)
-    folded("choices", _("What this app uses, and why"), extremes.list_choices)
+    solver = _("A general eigen-solver, which does not know this machine")
+    folded("solver", solver, extremes.explain_solvers, extremes.list_zero_modes)
+    folded("choices", _("What this app uses, and why"), *extremes.CHOICES)
     # Long computations follow after all other elements are drawn.
     measure_costs()
 
