@@ -29,10 +29,13 @@ OPEN = """() => {
 OF_THE_SCREEN = ["color-contrast", "link-in-text-block", "scrollable-region-focusable", "target-size"]
 """The rules that depend on the theme or on the width."""
 VIOLATIONS = """([within, rules]) => axe.run({ include: within, exclude: ".katex-html" },
-    { runOnly: rules, resultTypes: ["violations"] })
+    { runOnly: rules, resultTypes: ["violations"], preload: false })
   .then((result) => result.violations.flatMap((each) => each.nodes.map((node) =>
     `${each.id}: ${node.target.flat().join(" ")} ${node.html.slice(0, 160)}`)))"""
-"""The violations that axe-core reports outside of formulas; test_look checks the contrast of formulas."""
+"""The violations that axe-core reports outside of formulas; test_look checks the contrast of formulas.
+
+It does not load every style sheet again, which only its rule about the orientation of the screen needs.
+"""
 REACHED = """() => [...document.querySelectorAll(".stMarkdown *, [class*=st-key-]")].every((box) => box.tabIndex === 0
   || box.scrollWidth <= box.clientWidth || !/auto|scroll/.test(getComputedStyle(box).overflowX)
   || box.querySelector("button, input, a, [tabindex='0']"))"""
