@@ -305,7 +305,7 @@ ON_A_PHONE = """() => [...document.querySelectorAll('.katex-display')].filter((b
 
 @pytest.mark.parametrize(("path", "letters"), [("derivation?route=energy&show=reading", 15), ("", 16)])
 def test_on_a_phone_formulas_are_large_and_operations_are_below_their_lines(visit, path, letters):
-    page = visit(path, width=390, height=844)
+    page = visit(path, width=390, height=844, figures=False)
     if not path:
         page.locator(".st-key-summary_4 summary").click()
     page.locator(".katex-display:visible").first.wait_for()

@@ -221,8 +221,6 @@ def check_killed_process(hall: deployed, tab: object, other: object) -> None:
     assert process_of(tab) == "second"
     assert slider(tab).input_value() == moved
     assert other.url == other_address
-    hall.start("first")
-    hall.wait({"first"})
 
 
 def slider(tab: object) -> object:

@@ -1,6 +1,7 @@
 """Files for a spreadsheet: read back in each language, and opened by LibreOffice where it is installed."""
 
 import csv
+import functools
 import io
 import json
 import os
@@ -38,6 +39,7 @@ CELL, ROW, ROWS, COLUMNS = (
 TYPE, VALUE = (f"{{urn:oasis:names:tc:opendocument:xmlns:office:1.0}}{name}" for name in ("value-type", "value"))
 
 
+@functools.cache
 def made(language: str) -> tuple[str, str]:
     """Return the files of a motion and of a class, from a server in this language."""
     environment = os.environ | {"RAMANUJAN_LANGUAGE": language}
