@@ -69,18 +69,18 @@ def difference(english: str, translation: str) -> str:
     >>> difference("Exactly {exactly} of $x$", "Pile {exactement} pour $x$")
     'It lacks {exactly} and has {exactement} instead.'
     """
-    english_marks, marks = _count_marks(english), _count_marks(translation)
-    lost, added = english_marks - marks, marks - english_marks
+    english_parts, parts = _count_fixed_parts(english), _count_fixed_parts(translation)
+    lost, added = english_parts - parts, parts - english_parts
     if lost and added:
-        return f"It lacks {_join_marks(lost)} and has {_join_marks(added)} instead."
+        return f"It lacks {_join_fixed_parts(lost)} and has {_join_fixed_parts(added)} instead."
     if lost:
-        return f"It lacks {_join_marks(lost)}."
+        return f"It lacks {_join_fixed_parts(lost)}."
     if added:
-        return f"It has {_join_marks(added)}, which the English text has not."
+        return f"It has {_join_fixed_parts(added)}, which the English text has not."
     return ""
 
 
-def _count_marks(text: str) -> Counter[str]:
+def _count_fixed_parts(text: str) -> Counter[str]:
     """Count the formulas, slots and marks of a text, which a translation must keep.
 
     Three differences are allowed: a decimal comma in LaTeX, words in a formula, and another form of a number's word.
@@ -93,8 +93,9 @@ def _count_marks(text: str) -> Counter[str]:
     return Counter([*NOT_WORDS.findall(normalized), *_MARKDOWN.findall(text), *other_braces])
 
 
-def _join_marks(marks: Counter[str]) -> str:
-    return ", ".join(mark.replace("\n", "a line break") for mark in marks)
+def _join_fixed_parts(parts: Counter[str]) -> str:
+    """List formulas, slots and marks for a sentence, each once."""
+    return ", ".join(part.replace("\n", "a line break") for part in parts)
 
 
 def _remove_faults(catalogue: polib.POFile) -> list[Fault]:

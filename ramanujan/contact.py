@@ -125,8 +125,8 @@ def normal_forces(
 def travel_amplitude(oscillator: Oscillator, initial: InitialState) -> float:
     """Return A = R√(φ₀² + (φ̇₀/Ω)²) [m], the amplitude of the displacement Rφ of the lower rollers.
 
-    The largest force/load of each contact depends on the initial state only through A. Therefore the required friction
-    equals that of a release from rest with the compression 2A.
+    The largest ratio of force to load at each contact depends on the initial state only through A. Therefore the
+    required friction equals that of a release from rest with the compression 2A.
 
     Parameters
     ----------

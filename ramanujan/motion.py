@@ -87,6 +87,8 @@ def with_initial_velocities(
 ) -> InitialState:
     """Return the initial state of a release with a push: φ₀ = x₀/(2R), Ẋ₀ = −glide and Φ̇₀ = spin.
 
+    The sign is negative because X counts to the left.
+
     `glide` excites the zero mode q = (1, 0, 0), a translation of the whole machine. `spin` excites the zero mode
     q = (0, 0, 1), a rotation of the top cylinder as it rolls over the block. The oscillation φ(t) depends on neither.
 

@@ -253,7 +253,7 @@ def percent(share: float) -> str:
 
 
 def filled(template: str, **values: object) -> str:
-    """Return a sentence whose slots define the format of their numbers: significant digits, then a unit or %.
+    """Fill the slots of a template. A slot gives the format of its number: significant digits, then a unit or %.
 
     An arrow after the digits rounds up or down: "at most {error:1↑}", "at least {time:2↓ s}". A count is a word up to
     twelve: "{n:word} methods", at the beginning of a sentence "{n:Word} methods". A translation may write "{n:alone}"
@@ -261,7 +261,7 @@ def filled(template: str, **values: object) -> str:
 
     Parameters
     ----------
-    template : as for `str.format`; any slot accepts a text, and a slot without digits accepts a formatted number
+    template : as for `str.format`; a text is inserted unchanged, and a slot without a format shows `str(value)`
     values : by the names of the slots; a share is multiplied by 100 if its slot has the unit %
 
     >>> filled("{n} periods take {t:3 s}, {share:2 %} more than {least:1}.", n=7, t=0.61, share=0.25, least=4.0)

@@ -20,7 +20,7 @@ from typing import NamedTuple
 from ramanujan import catalogue
 from ramanujan.catalogue import NOT_WORDS
 
-# The pseudo-language: its letters, the added part of the length, and its values of the messages that are settings.
+# The pseudo-language: its letters, the added part of the length, and its values of messages that are settings.
 _ACCENTS = str.maketrans("aeiouyAEIOUYcnsz", "áéíóúýÁÉÍÓÚÝćńśź")
 _PADDING_PER_LETTER = 0.4
 _PSEUDO_SETTINGS = {"decimal mark": ",", "LaTeX package babel": "english"}

@@ -32,7 +32,7 @@ class Mutation:
     tests: str = DRAWN
 
 
-_SPIN = "rotate(${(FORMULAS.angle[name](known) * 360) / TURN})"
+_SPIN = "rotate(${(FORMULAS.angle[name](values) * 360) / TURN})"
 _ARROW_LENGTH = "const length = velocity(name, known)"
 MUTATIONS = [
     Mutation("every roller turns backwards", "stage/drawing.js", _SPIN, _SPIN.replace("(FORM", "(-FORM")),

@@ -113,8 +113,8 @@ def difference(a: float, b: float) -> float:
     return abs((a - b + 180) % 360 - 180)
 
 
-def in_pairs(on_rollers: dict[str, float]) -> dict[str, float]:
-    """Return the force at every contact on its roller, and the opposite one on the other body."""
+def add_reactions(on_rollers: dict[str, float]) -> dict[str, float]:
+    """Return the forces on both bodies of every contact: the given one on the roller, the opposite one on the other."""
     forces = {}
     for contact, force in on_rollers.items():
         roller, other = contact.split("_")

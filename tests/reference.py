@@ -72,7 +72,7 @@ def lagrangian() -> sp.Expr:
     return (v.T * mass * v / 2 - q.T * stiffness * q / 2)[0]
 
 
-def number(expression: sp.Expr, seed: int = 0) -> sp.Expr:
+def at_random_point(expression: sp.Expr, seed: int = 0) -> sp.Expr:
     """Return the expression with a random positive fraction for every symbol, function and derivative in it.
 
     The same unknown gets the same fraction in every expression, so equal expressions give equal numbers.
@@ -84,7 +84,7 @@ def number(expression: sp.Expr, seed: int = 0) -> sp.Expr:
 
 def equal(left: sp.Expr, right: sp.Expr) -> bool:
     """Return whether two rational expressions agree exactly at three random points."""
-    return all(sp.radsimp(number(left, seed) - number(right, seed)) == 0 for seed in range(3))
+    return all(sp.radsimp(at_random_point(left, seed) - at_random_point(right, seed)) == 0 for seed in range(3))
 
 
 def fraction(unknown: sp.Basic, seed: int = 0) -> sp.Rational:
@@ -100,13 +100,17 @@ def difference(relation: sp.Eq) -> sp.Expr:
 
 
 def spoiled(relation: sp.Eq) -> sp.Eq:
-    """Return an equation with an extra term on its right side."""
+    """Return an equation with an extra term on its right side, in each of its entries."""
     right = relation.rhs
     if isinstance(right, sp.Tuple):
-        return sp.Eq(relation.lhs, sp.Tuple(*(entry + R for entry in right)), evaluate=False)
-    return sp.Eq(relation.lhs, right + (sp.ones(*right.shape) if hasattr(right, "shape") else R), evaluate=False)
+        wrong = sp.Tuple(*(entry + R for entry in right))
+    elif hasattr(right, "shape"):
+        wrong = right + R * sp.ones(*right.shape)
+    else:
+        wrong = right + R
+    return sp.Eq(relation.lhs, wrong, evaluate=False)
 
 
 def is_zero(expression: sp.Expr) -> bool:
-    """Return whether an expression vanishes for two choices of numbers."""
-    return all(sp.radsimp(number(sp.sympify(expression), seed)) == 0 for seed in range(2))
+    """Return whether an expression is zero at two random points."""
+    return all(sp.radsimp(at_random_point(sp.sympify(expression), seed)) == 0 for seed in range(2))

@@ -12,7 +12,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from ramanujan import Oscillator
-from ramanujan.accuracy.choices import sample_curves
+from ramanujan.accuracy.choices import measure_chord_errors
 from ramanujan.accuracy.extremes import FORMS, extremes
 from ramanujan.accuracy.general_solvers import SOLVERS, eigen_solvers
 from ramanujan.accuracy.measurement import measure
@@ -251,7 +251,7 @@ def test_phase_errors(machine):
 
 
 def test_distance_of_a_cosine_from_its_chords():
-    for points, pixels in list(sample_curves()["cosine"].items())[1:]:
+    for points, pixels in list(measure_chord_errors()["cosine"].items())[1:]:
         # The distance at a maximum of the cosine, for a chord symmetric about it. Other chords are closer.
         most = (1 - math.cos(math.pi / (points - 1))) * 200
         assert 0.95 * most < pixels <= most * (1 + 1e-9)

@@ -161,7 +161,7 @@ def check_box_follows(page) -> None:
 def test_the_curve_shows_the_machine_and_a_click_sets_one(visit):
     page = visit(height=1400)
     page.locator(PANEL).wait_for(state="attached")
-    check_bytes(page)
+    check_size_of_a_change(page)
     press(page, "Reset")
     check_ring(page)
     check_click(page)
@@ -169,7 +169,7 @@ def test_the_curve_shows_the_machine_and_a_click_sets_one(visit):
     check_first_screen(page)
 
 
-def check_bytes(page) -> None:
+def check_size_of_a_change(page) -> None:
     """Check that a change sends at most twenty kilobytes."""
     press(page, "In step (1729)")
     start = len(traffic(page).received)

@@ -35,7 +35,7 @@ else:
 
 @pytest.fixture(scope="module")
 def fresh(tmp_path_factory: pytest.TempPathFactory) -> Iterator[str]:
-    """The address of a new server, below a path."""
+    """The address of a new server with the app under the path /up/there."""
     script = tmp_path_factory.mktemp("files") / "app.py"
     script.write_text(SCRIPT)
     with pytest.MonkeyPatch.context() as patch:

@@ -13,7 +13,7 @@ from ramanujan.energy import energies
 from ramanujan.motion import ground_positions, ground_velocities, motion, relative_positions
 from ramanujan.pages.motion.cache import drawn_spacing
 from tests.engines import ANY_ENGINE
-from tests.picture import ROLLERS, Picture, in_pairs, length, upwards
+from tests.picture import ROLLERS, Picture, add_reactions, length, upwards
 from tests.test_browser_picture import machines
 
 PIXEL = 1.0
@@ -61,7 +61,7 @@ def velocities(picture: Picture) -> dict[str, float]:
 def forces(picture: Picture) -> dict[str, float]:
     force = contact_forces(picture.machine, picture.q)
     spring = force.pop("spring")
-    return in_pairs(force) | {"spring slab": spring, "spring block": -spring}
+    return add_reactions(force) | {"spring slab": spring, "spring block": -spring}
 
 
 def weights(picture: Picture) -> dict[str, float]:
@@ -72,7 +72,7 @@ def weights(picture: Picture) -> dict[str, float]:
     masses = {"block": machine.m, "slab": machine.m, "top": machine.m}
     masses |= {"hoop": machine.m_prime, "cylinder": machine.m_prime}
     own = {f"weight {name}": -GRAVITY * mass for name, mass in masses.items()}
-    return in_pairs(signed) | own | {"floor block": GRAVITY * sum(masses.values())}
+    return add_reactions(signed) | own | {"floor block": GRAVITY * sum(masses.values())}
 
 
 def bars(picture: Picture, drawn: dict) -> Pairs:

@@ -22,7 +22,7 @@ def run(bare: Bare, name: str, body: str, argument: object = None) -> object:
     return bare.page.evaluate(f"async (given) => {{ const it = await {module(name)}; {body} }}", argument)
 
 
-def test_a_component_begins_once_is_updated_by_every_call_and_ends_with_the_last_one(page):
+def test_a_component_begins_once_and_only_the_clean_up_of_its_last_call_ends_it(page):
     received = run(
         page,
         "begin",

@@ -56,8 +56,8 @@ def picture(bare) -> Picture:
 
 
 @pytest.fixture
-def pushed(bare) -> Picture:
-    """The motion page's stage: a pushed machine drifts, and the view follows its centre of mass."""
+def motion_picture(bare) -> Picture:
+    """The stage of the motion page, whose view follows the centre of mass of a machine that was pushed."""
     return Picture(bare(), "motion", dials=False)
 
 
@@ -199,33 +199,33 @@ def check_clock(picture: Picture, drawn: dict, home: dict[str, float], periods: 
 
 
 @ANY_ENGINE
-def test_a_pushed_machine_and_the_view_that_follows_it(pushed, some):
+def test_a_pushed_machine_and_the_view_that_follows_it(motion_picture, some):
     known: dict[float, dict[str, float]] = {}
     corners = machines(MACHINES)
     for machine, compression in some(corners[1:2] + corners[-1:]):
         far = 0.02 / machine.period
         start = released(machine, compression).phi
         for pushes in ({"X_dot": -0.2}, {"X_dot": 0.1}, {"Phi_dot": far / machine.radius}, {"phi_dot": -far}):
-            pushed.show(machine, compression, InitialState(phi=start, **pushes))
+            motion_picture.show(machine, compression, InitialState(phi=start, **pushes))
             centres = []
             for periods in (0.0, 0.3, 0.95):
-                drawn = pushed.at(periods)
+                drawn = motion_picture.at(periods)
                 centres.append(drawn["centre"][0])
-                home = known.setdefault(machine.radius, homes(pushed, drawn))
-                check_bodies(pushed, drawn, home)
+                home = known.setdefault(machine.radius, homes(motion_picture, drawn))
+                check_bodies(motion_picture, drawn, home)
                 assert home["cylinder"] - home["hoop"] == pytest.approx(drawn_spacing(machine.radius), rel=1e-3)
             assert max(centres) - min(centres) < HALF_A_PIXEL, "the centre of mass stands still in the view"
 
 
 @ANY_ENGINE
-def test_the_smallest_push_moves_the_picture_least(pushed):
+def test_the_smallest_push_moves_the_picture_least(motion_picture):
     """The view has no threshold for the change from the floor to the centre of mass."""
     machine = Oscillator(2.0, 0.7, 30.0)
     start = released(machine, 0.1).phi
     blocks = []
     for push in (0.0, 1e-13, 1e-10, 1e-6):
-        pushed.show(machine, 0.1, InitialState(phi=start, X_dot=push))
-        blocks.append([middle(pushed.at(periods)["block"]) for periods in (0.25, 0.5, 0.9)])
+        motion_picture.show(machine, 0.1, InitialState(phi=start, X_dot=push))
+        blocks.append([middle(motion_picture.at(periods)["block"]) for periods in (0.25, 0.5, 0.9)])
     assert np.ptp(blocks, axis=0).max() < HALF_A_PIXEL
     # Negative control: the block moves by more than half a pixel.
     assert np.ptp(blocks, axis=1).min() > 10

@@ -223,7 +223,7 @@ def serving(folder: Path) -> Iterator[int]:
 
 
 @contextmanager
-def course(file: Path, folder: Path) -> Iterator[str]:
+def framed_by_another_site(file: Path, folder: Path) -> Iterator[str]:
     """Serve a course page that contains the file from another site in a sandboxed frame; yield its address."""
     with serving(file.parent) as port, serving(folder) as other:
         source = f"http://localhost:{port}/{file.name}#k=20"
@@ -240,7 +240,7 @@ def test_the_file_in_a_frame_of_another_site_makes_no_request(browsers, file, en
     page.on("request", lambda request: requests.append(request.url))
     page.on("pageerror", lambda error: errors.append(str(error)))
     page.on("console", lambda message: errors.append(message.text) if message.type == "error" else None)
-    with course(file, tmp_path) as address:
+    with framed_by_another_site(file, tmp_path) as address:
         page.goto(address)
         inside = page.frames[1]
         # The policy blocks Playwright's scripts, so the test uses only visible elements.
@@ -283,7 +283,7 @@ def box_of(node: str) -> str:
 def test_the_file_answers_in_a_frame_of_another_site_in_webkit(window, file, engine, tmp_path):
     """The frame is sandboxed. The keyboard moves a slider, and the mouse drags the slab. The driver has no touch."""
     page = window(1000, 760)
-    with course(file, tmp_path) as address:
+    with framed_by_another_site(file, tmp_path) as address:
         page.goto(address)
         frame_x, frame_y, *_size = page.evaluate(box_of("document.querySelector('iframe')"))
         page.enter_frame()

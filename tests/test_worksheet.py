@@ -197,6 +197,7 @@ def test_points_and_lines_are_the_same_in_every_language_and_for_every_machine()
 
 def number_of(latex: str, **values: float) -> mpmath.mpf:
     """Return the value of an expression in LaTeX, without its unit."""
+    # The parser reads \, as a multiplication sign.
     plain = re.sub(r"\\[,;]\\mathrm\{.*\}$", "", latex).replace(r"\pi", r"\,\pi")
     return Formula(plain).value({r"\pi": mpmath.pi, **values})
 

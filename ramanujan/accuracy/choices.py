@@ -24,7 +24,7 @@ from ramanujan.motion import InitialState, motion
 from ramanujan.oscillator import Oscillator
 
 POINTS = (9, 17, 33, 65, 129, 257, 513, 1025)
-"""Numbers of points in `sample_curves`."""
+"""Numbers of points in `measure_chord_errors`."""
 
 PERIODS = (1, 10, 100, 1000, 10_000)
 """Default numbers of periods in `measure_closed_form`."""
@@ -33,10 +33,10 @@ DIGITS = (15, 30, 50, 100)
 """Numbers of mpmath digits in `measure_arithmetics`."""
 
 HEIGHT = 400
-"""Height of a curve in `sample_curves` [pixels]."""
+"""Height of a curve in `measure_chord_errors` [pixels]."""
 
 LARGEST_MASS_RATIO = 4.0
-"""Right end of the Ω² curve in `sample_curves`."""
+"""Right end of the Ω² curve in `measure_chord_errors`."""
 
 ARRAY = 10_000
 """Number of array elements in `measure_arithmetics`."""
@@ -57,8 +57,8 @@ class ClosedForm:
     seconds: Timing
 
 
-def sample_curves() -> dict[str, dict[int, float]]:
-    """Return the largest error of drawing two curves as straight lines between a number of points.
+def measure_chord_errors() -> dict[str, dict[int, float]]:
+    """Return the largest error of two curves that are drawn as straight lines between so many points.
 
     The curves are "cosine", one period of the cosine, and "frequency", Ω²m/k for 0 ≤ ε ≤ LARGEST_MASS_RATIO. Each is
     scaled to HEIGHT.
@@ -67,7 +67,7 @@ def sample_curves() -> dict[str, dict[int, float]]:
     -------
     curve → number of points → largest vertical distance between the curve and the lines [pixels]
 
-    >>> list(sample_curves()["cosine"])[:3]
+    >>> list(measure_chord_errors()["cosine"])[:3]
     [9, 17, 33]
     """
     return {

@@ -133,6 +133,7 @@ def _paper(m: FloatArray, m_prime: FloatArray, k: FloatArray) -> FloatArray:
 
 
 def _scaled(m: FloatArray, m_prime: FloatArray, k: FloatArray) -> FloatArray:
+    """Return Ω² from the smaller mass divided by the larger one, so that no square overflows."""
     ratio, inverse = m_prime / m, m / m_prime
     for_light_rollers = k / m * (8 * (7 + 6 * ratio) / (32 + ratio * (49 + 18 * ratio)))
     for_heavy_rollers = k / m_prime * (8 * (6 + 7 * inverse) / (18 + inverse * (49 + 32 * inverse)))
@@ -242,6 +243,7 @@ def ulp_errors(value: np.ndarray, truth: list[mpmath.mpf]) -> tuple[np.ndarray, 
 def _compute_errors(value: float, truth: mpmath.mpf, ulp: float) -> tuple[float, float]:
     """Return the error of one value in ulp, and its relative error."""
     if not np.isfinite(value):
+        # NaN remains NaN, and ±∞ becomes ∞.
         return abs(value), abs(value)
     # An ulp may be subnormal, so the quotients are computed with 50 digits.
     difference = abs(REFERENCE.mpf(value) - truth)

@@ -83,7 +83,8 @@ def work_precision(
 ) -> WorkPrecision:
     """Return the error and the evaluations of one method for each number of steps per period.
 
-    They are the same for all machines. All runs are computed together, as arrays.
+    The error is an upper bound for all machines, because each run has two time steps that enclose hΩ of every machine.
+    All runs are computed together, as arrays.
 
     Parameters
     ----------
@@ -106,15 +107,16 @@ def work_precision(
         previous = _release(np.unique(steps_per_period), method, dtype)
     steps, error = previous.steps_per_period, previous.error.copy()
     remaining_steps = steps * (periods - previous.periods)
-    h = _enclose_time_steps(steps, dtype)
+    h = _bracket_time_steps(steps, dtype)
     ends = np.empty((2, *h.shape), dtype)
     # The exact states e^{it} at the steps of one period, one run after the other in one array.
     exact_states = np.concatenate([np.exp(2j * np.pi * np.arange(n) / n) for n in steps])
-    first_state = np.cumsum(steps) - steps
-    for number, q, v in run_in_blocks(METHODS[method], previous.ends, h, remaining_steps):
+    first_index = np.cumsum(steps) - steps
+    for step_numbers, q, v in run_in_blocks(METHODS[method], previous.ends, h, remaining_steps):
+        # The runs are sorted by their numbers of steps, so those that still run are the last ones.
         running = slice(steps.size - q.shape[-1], None)
-        step_in_period = number[:, None] % steps[running]
-        exact = exact_states[first_state[running] + step_in_period][:, None]
+        step_in_period = step_numbers[:, None] % steps[running]
+        exact = exact_states[first_index[running] + step_in_period][:, None]
         with np.errstate(over="ignore", invalid="ignore"):
             largest = _largest_error(q, v, exact, error_kind)
         error[running] = np.fmax(error[running], largest)
@@ -148,7 +150,7 @@ def _release(steps: np.ndarray, method: str, dtype: str) -> WorkPrecision:
     )
 
 
-def _enclose_time_steps(steps: np.ndarray, dtype: str) -> np.ndarray:
+def _bracket_time_steps(steps: np.ndarray, dtype: str) -> np.ndarray:
     """Return two time steps for each run, shape (2, runs), that enclose hΩ of all machines.
 
     Each machine rounds h and Ω², so the relative error of its hΩ is up to ¾ of the machine epsilon.

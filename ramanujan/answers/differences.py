@@ -184,7 +184,8 @@ def _compare_numbers(question: Question, typed_values: Values) -> list[str]:
     quotient = find_rational_ratio(typed_values, right)
     if quotient is not None:
         return terms.describe_multiple(terms.FIELD(quotient.numerator) / quotient.denominator)
-    # A number has the same value at all points.
+    # The right number has the form p + r√n. If typed − right is rational, the part with the root is right.
+    # If (typed − p)² is rational, p is right. A number has the same value at all points.
     typed_number, right_number = typed_values[0], right[0]
     without_root, _with_root = question.right.expand().as_independent(sp.Pow)
     rational_part = evaluate(without_root, POINTS[0])

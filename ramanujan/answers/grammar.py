@@ -59,7 +59,7 @@ def typeset(text: str, *, is_equation: bool = False) -> str:
     ------
     UnreadableError : under the conditions of `parse` and `parse_equation`.
     """
-    return "=".join(side.bare for side in _sides(text, is_equation))
+    return "=".join(side.unbracketed for side in _sides(text, is_equation))
 
 
 def _sides(text: str, is_equation: bool = False) -> "list[_Part]":
@@ -95,10 +95,10 @@ def _parse_side(in_ascii: str) -> "_Part":
 class _Part:
     """A part of a formula: its unevaluated value, its LaTeX, and its LaTeX without outer brackets."""
 
-    def __init__(self, value: sp.Expr, shown: str, bare: str = "") -> None:
+    def __init__(self, value: sp.Expr, shown: str, unbracketed: str = "") -> None:
         if count_leaves(value).total() > MAX_WEIGHT:
             raise UnreadableError(_("This is too large to check here. Write it shorter or with smaller exponents."))
-        self.value, self.shown, self.bare = value, shown, bare or shown
+        self.value, self.shown, self.unbracketed = value, shown, unbracketed or shown
 
     @property
     def unsigned(self) -> str:
@@ -124,7 +124,7 @@ class _Reader:
         return self._tokens[self._position][0]
 
     @property
-    def is_spaced(self) -> bool:
+    def is_space_next(self) -> bool:
         """Whether a space precedes the next token."""
         return self._tokens[self._position][1]
 
@@ -138,12 +138,12 @@ class _Reader:
     def sum(self) -> _Part:
         """Return a sum. A single product keeps its outer brackets; a sum of several has none."""
         first = self.product()
-        terms, shown, bare = [first.value], first.shown, first.bare
+        terms, shown, unbracketed = [first.value], first.shown, first.unbracketed
         while self.next in ("+", "-"):
             sign, term = self.take(), self.product()
             terms.append(_negative(term.value) if sign == "-" else term.value)
-            shown = bare = f"{shown} {sign} {term.unsigned}"
-        return _Part(sp.Add(*terms, evaluate=False), shown, bare)
+            shown = unbracketed = f"{shown} {sign} {term.unsigned}"
+        return _Part(sp.Add(*terms, evaluate=False), shown, unbracketed)
 
     def product(self) -> _Part:
         """Return a product. A single factor keeps its outer brackets; a product of several has none.
@@ -153,7 +153,7 @@ class _Reader:
         UnreadableError : a factor without a sign might be part of the denominator.
         """
         first = self.factor()
-        factors, shown, bare = [first.value], first.shown, first.bare
+        factors, shown, unbracketed = [first.value], first.shown, first.unbracketed
         # Whether it is clear if the next factor without a sign is above or below the last fraction line.
         is_unambiguous = True
         while self.next in ("*", "/") or self._starts_a_factor():
@@ -168,15 +168,15 @@ class _Reader:
             if sign == "/":
                 # 1/2 m and k/2 (m + R) have only one meaning; k/2m and k/2(m + R) may have two.
                 is_typed_fraction = is_number(factors[-1]) and is_number(factor.value)
-                ends_at_space = (is_bracket or is_number(factor.value)) and self.is_spaced
+                ends_at_space = (is_bracket or is_number(factor.value)) and self.is_space_next
                 is_unambiguous = is_typed_fraction or ends_at_space
                 factors.append(_power(factor.value, sp.S.NegativeOne))
-                shown = bare = _fraction(shown, bare, factor)
+                shown = unbracketed = _fraction(shown, unbracketed, factor)
             else:
                 is_unambiguous = is_unambiguous or sign == "*"
                 factors.append(factor.value)
-                shown = bare = _side_by_side(shown, factor.unsigned)
-        return _Part(sp.Mul(*factors, evaluate=False), shown, bare)
+                shown = unbracketed = _side_by_side(shown, factor.unsigned)
+        return _Part(sp.Mul(*factors, evaluate=False), shown, unbracketed)
 
     def factor(self) -> _Part:
         is_negative = False
@@ -200,7 +200,7 @@ class _Reader:
         if not exponent.is_Rational or abs(exponent) > MAX_EXPONENT or exponent.q > 2:
             limits = _("An exponent must be an integer or half an integer, from −{most} to {most}.")
             raise UnreadableError(limits.format(most=MAX_EXPONENT))
-        return exponent, part.bare
+        return exponent, part.unbracketed
 
     def primary(self) -> _Part:
         token = self.take()
@@ -213,13 +213,13 @@ class _Reader:
         if token == "frac":
             above, below = self._nested(self.primary), self._nested(self.primary)
             quotient = sp.Mul(above.value, _power(below.value, sp.S.NegativeOne), evaluate=False)
-            return _Part(quotient, _fraction(above.shown, above.bare, below))
+            return _Part(quotient, _fraction(above.shown, above.unbracketed, below))
         if token == "(":
             inside = self._nested(self.sum)
             if self.take() != ")":
                 raise UnreadableError(_("There is an opening bracket without a closing bracket."))
             self._refuse_number(_("A number follows a bracket. Put it in front, or write ^ for a power."))
-            return _Part(inside.value, _add_brackets(inside.bare), inside.bare)
+            return _Part(inside.value, _add_brackets(inside.unbracketed), inside.unbracketed)
         if isinstance(token, sp.Expr):
             self._refuse_number(_("A number follows a name. Put it in front, or write ^ for a power."))
             return _Part(token, latex(token))
@@ -228,15 +228,16 @@ class _Reader:
         raise UnreadableError(_("Something is missing between two signs or brackets."))
 
     def root(self) -> _Part:
+        """Return a root. Refuse √2m, in which the end of the root is unclear."""
         is_bracket = self.next == "("
         under = self._nested(self.primary)
-        if not is_bracket and not self.is_spaced and self._starts_a_factor():
+        if not is_bracket and not self.is_space_next and self._starts_a_factor():
             raise UnreadableError(_("Where does the root end? Put what is under it in brackets."))
-        return _Part(_power(under.value, sp.S.Half), rf"\sqrt{{{under.bare}}}")
+        return _Part(_power(under.value, sp.S.Half), rf"\sqrt{{{under.unbracketed}}}")
 
     def _refuse_number(self, refusal: str) -> None:
         """Raise an error with this message if a number follows without a space."""
-        if is_number(self.next) and not self.is_spaced:
+        if is_number(self.next) and not self.is_space_next:
             raise UnreadableError(refusal)
 
     def _nested(self, read: Callable[[], _Part]) -> _Part:
@@ -265,17 +266,17 @@ def _add_brackets(shown: str) -> str:
     return rf"\left({shown}\right)"
 
 
-def _fraction(above: str, bare: str, below: _Part) -> str:
+def _fraction(above: str, unbracketed: str, below: _Part) -> str:
     """Return a fraction as LaTeX. A minus sign of the numerator is written before the fraction.
 
     Parameters
     ----------
-    above, bare : the numerator with its outer brackets, and without them
+    above, unbracketed : the numerator with its outer brackets, and without them
     below : the denominator
     """
     sign = "- " if above.startswith("- ") else ""
-    unsigned = bare.removeprefix(sign)
-    return rf"{sign}\frac{{{unsigned}}}{{{below.bare}}}"
+    unsigned = unbracketed.removeprefix(sign)
+    return rf"{sign}\frac{{{unsigned}}}{{{below.unbracketed}}}"
 
 
 def _side_by_side(before: str, after: str) -> str:

@@ -231,8 +231,10 @@ def _explain_foreign_names(question: Question, typed: sp.Expr) -> str | None:
     """Return a sentence about the names that do not belong in the answer, None if there are none."""
     expected = leaves(question.right)
     others = {name: symbol for name, symbol in SYMBOLS.items() if name != "eps" and symbol not in expected}
-    is_in_ratio = SYMBOLS["eps"] in expected
-    foreign = [name for name, symbol in others.items() if values.depends_on(typed, symbol, is_in_ratio=is_in_ratio)]
+    has_free_ratio = SYMBOLS["eps"] in expected
+    foreign = [
+        name for name, symbol in others.items() if values.depends_on(typed, symbol, has_free_ratio=has_free_ratio)
+    ]
     if not foreign:
         return None
     if question.name == "potential_energy" and foreign in (["X"], ["Phi"]):

@@ -227,9 +227,10 @@ def _change(body: Body, mistake: Mistake, names: list[str]) -> Body:
 
 
 def find_common_hint(alternatives: Sequence[Altered]) -> str | None:
-    """Return the hint for altered machines with the same result, None if their mistakes differ.
+    """Return the hint for altered machines with the same result, None without a common hint.
 
-    If their groups contain each other, the hint is about the smallest group. The other bodies do not affect the result.
+    If the smallest group is part of every other group, the hint is about it: the other bodies do not affect the result.
+    Different moments of inertia of the lower rollers have a hint of their own. Other mistakes must be the same.
     """
     smallest = min(alternatives, key=lambda altered: len(altered.bodies))
     has_same_mistake = all(altered.mistake is smallest.mistake for altered in alternatives)

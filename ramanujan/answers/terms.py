@@ -95,7 +95,7 @@ def _check_size(expression: sp.Expr) -> None:
 
     Raises
     ------
-    NotComparableError : the formula has too many terms and too many names.
+    NotComparableError : the formula has too many terms, and too many names and numbers.
     """
     if _count_terms(expression) > _MAX_TERMS and count_leaves(expression).total() > _MAX_WEIGHT:
         raise NotComparableError(_TOO_LARGE)

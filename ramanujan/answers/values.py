@@ -149,17 +149,17 @@ def find_rational_ratio(left: Values, right: Values) -> Fraction | None:
     return ratio if agree(quotients, (value,) * len(quotients)) else None
 
 
-def depends_on(expression: sp.Expr, symbol: sp.Expr, *, is_in_ratio: bool = False) -> bool:
+def depends_on(expression: sp.Expr, symbol: sp.Expr, *, has_free_ratio: bool = False) -> bool:
     """Return whether the value of a formula changes with a symbol.
 
     Parameters
     ----------
     expression, symbol : the formula and the symbol
-    is_in_ratio : whether ε is independent of the masses; otherwise it changes with m and m′
+    has_free_ratio : whether ε is a variable of its own; otherwise it is m′/m
     """
     old = POINTS[0]
     moved = old | {symbol: old[symbol] + 1}
-    if not is_in_ratio:
+    if not has_free_ratio:
         moved[epsilon] = moved[m_prime] / moved[m]
     try:
         before, after = evaluate(expression, old), evaluate(expression, moved)

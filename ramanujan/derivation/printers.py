@@ -84,17 +84,17 @@ class LatexPrinter(VectorLatexPrinter):
         return self._product(to_product(expr))
 
     def _product(self, term: Product) -> str:
-        """Return a product as coefficient and motion, such as ¾mR²Φ̇²; the coefficient may be a longer fraction.
+        """Return a product as a coefficient and the factors after it, such as ¾m and R²Φ̇²; either may be missing.
 
-        The number and the factors share one fraction if the numerator is one sum, (8m + 7m′)/2, or has no masses,
-        2p/(3R).
+        Number and factors share one fraction if factors are below it, 2p/(3R), or if the only factor above is a sum,
+        (8m + 7m′)/2.
         """
         number = to_quadratic(term.number)
         if number is None:
             return self._product_of_other_number(term)
         sign, numerator, denominator, is_sum = number_to_latex(number)
-        coefficient, behind = _split_coefficient(term)
-        is_one_sum = len(term.above) == 1 and term.above[0].is_Add and not behind
+        coefficient, other_factors = _split_coefficient(term)
+        is_one_sum = len(term.above) == 1 and term.above[0].is_Add and not other_factors
         if denominator and not term.below and not is_one_sum:
             # Write the number as a separate fraction before the factors.
             numerator, denominator = rf"\frac{{{numerator}}}{{{denominator}}}", ""
@@ -106,7 +106,7 @@ class LatexPrinter(VectorLatexPrinter):
             above = self._side_by_side(numerator, coefficient)
             numerator, coefficient = rf"\frac{{{above}}}{{{below}}}", ()
         minus = "- " if sign < 0 else ""
-        return minus + self._side_by_side(numerator, (*coefficient, *behind), is_term=bool(minus))
+        return minus + self._side_by_side(numerator, (*coefficient, *other_factors), is_term=bool(minus))
 
     def _product_of_other_number(self, term: Product) -> str:
         """Return a product in SymPy's own order, for a number with more than one root."""

@@ -94,12 +94,12 @@ class Row:
         return rf"\quad\footnotesize\vert\ {self.operation}" if self.operation else ""
 
     def lines(self, width: int, left_width: int = 0) -> list[str]:
-        """Return the right side broken into lines of about equal width; each line after the first begins with a sign.
+        """Return the right side in lines, each filled up to the width. Each line after the first begins with a sign.
 
         Parameters
         ----------
-        width : characters of a line with a short left side
-        left_width : characters of the longest left side in the alignment
+        width : characters of a line beside a left side of at most `_SHORT_LEFT_SIDE` characters
+        left_width : characters of the longest left side; the additional ones are subtracted from the width
         """
         width = max(width - max(left_width - _SHORT_LEFT_SIDE, 0), _SHORTEST_LINE)
         lines = [self.terms[0]]

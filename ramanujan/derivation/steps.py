@@ -121,7 +121,7 @@ class Routes(UserDict[str, Any]):
     """Routes by name, in the order in which they were added; each is derived at its first use, and cached."""
 
     def add(self, name: str) -> Callable[[Callable[[Machine], Route]], Callable[[Machine], Route]]:
-        """Return a decorator that registers the function that derives a route from the bodies."""
+        """Return a decorator that adds a function, machine → route, under this name."""
 
         def register(build: Callable[[Machine], Route]) -> Callable[[Machine], Route]:
             self.data[name] = cache(build)

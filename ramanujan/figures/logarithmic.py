@@ -100,16 +100,15 @@ def power_axis(title: str, low: float, high: float) -> dict[str, Any]:
     return axis(title, (low, high), tickvals=values, ticktext=_powers(values))
 
 
-def within(values: np.ndarray, limits: tuple[float, float]) -> np.ndarray:
+def select_drawable(values: np.ndarray, upper: float) -> np.ndarray:
     """Return the values in single precision; nonpositive and very large values become NaN, a gap in the curve.
 
     Parameters
     ----------
     values : the values of a curve
-    limits : the ends of its axis. Values up to a thousand times the upper end remain, so the curve leaves the figure.
+    upper : the upper end of its axis. Values up to a thousand times this remain, so the curve leaves the figure.
     """
     values = np.asarray(values, float)
-    _lower, upper = limits
     is_drawn = (values > 0) & (values <= 1e3 * upper)
     return np.where(is_drawn, values, np.nan).astype(np.float32)
 

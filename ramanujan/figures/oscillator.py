@@ -97,7 +97,7 @@ def _curves(curve: FrequencyCurve, ends: list[float], colors: Mapping[str, str])
 
 
 def _marked_machines(curve: FrequencyCurve, colors: Mapping[str, str]) -> list[dict[str, Any]]:
-    """Return the marks of the two machines in the inset."""
+    """Return the marks in the inset: equal masses, and unit frequency."""
     traces = []
     for mark, name, symbol, size, color in (
         (curve.equal, _("equal masses"), "circle", 11, colors["hoop_ink"]),

@@ -7,7 +7,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from ramanujan.figures import EncodedFigure, build_figure, legend, line, logarithmic, marks, note
-from ramanujan.figures.logarithmic import Colors, axis, level_line, log_axis, method_look, within
+from ramanujan.figures.logarithmic import Colors, axis, level_line, log_axis, method_look, select_drawable
 from ramanujan.numerals import number
 from ramanujan.translation import _, ngettext
 
@@ -203,7 +203,7 @@ def _method_curves(
         color, symbol = method_look(methods.index(name), colors)
         is_double = dtype == "float64"
         width, dash = (2.5, "solid") if is_double else (1.5, "dot")
-        curve = line(cost.astype(np.float32), within(error, shown), color=color, width=width, dash=dash)
+        curve = line(cost.astype(np.float32), select_drawable(error, shown[1]), color=color, width=width, dash=dash)
         properties: dict[str, Any] = {
             "mode": "lines+markers",
             "marker": {"symbol": symbol if is_double else f"{symbol}-open", "size": 8},
@@ -258,6 +258,7 @@ def draw_forms(strips: Mapping[str, Sequence[Part]], *, quantity: str, colors: C
     }
     above = {"xanchor": "left", "yanchor": "bottom"}
     notes = [note(name, colors["ink"], start, row - _HALF_STRIP) | above for row, name in enumerate(strips)]
+    # The first strip is at the top. The margins, in strips, leave room for its name and below the last strip.
     hidden = {"visible": False, "range": [len(strips) - 0.65, -0.8], "fixedrange": True}
     x_axis = logarithmic.power_axis(quantity, start, end) | {"showgrid": False}
     height = 76 + _STRIP * len(strips)

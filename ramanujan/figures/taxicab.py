@@ -1,4 +1,6 @@
-"""The figures of the page 1729: the target on the Ω² curve, the 40 machines, counts of sums."""
+"""The figures of the page 1729: the target on the Ω² curve, the 40 machines, and for each
+pair of lower rollers the number of discriminants that are sums of two cubes.
+"""
 
 from collections.abc import Mapping, Sequence
 from typing import Any

@@ -192,12 +192,12 @@ class Classes:
         """Return the results of the class that belongs to a key."""
         return self.read_results(self.find_code(key))
 
-    def read_results(self, code: str, least: Phase = Phase.REVEALED) -> list[ClassResult]:
-        """Return the results of all questions that have reached a phase, in the order of asking."""
+    def read_results(self, code: str, reached: Phase = Phase.REVEALED) -> list[ClassResult]:
+        """Return the results of all questions that have reached at least this phase, in the order of asking."""
         rows = self._store.read(
             "SELECT stop, asking, number, options, asked, present FROM question WHERE code = ? AND reached >= ? "
             "ORDER BY asked, asking, number",
-            (code, int(least)),
+            (code, int(reached)),
         )
         students_present = {}
         for stop, asking, number, _options, _at, present in rows:
@@ -212,6 +212,7 @@ class Classes:
             second_vote = vote._replace(number=2)
             if (stop, second_vote) in students_present:
                 second = self._count_votes(code, stop, second_vote, options)
+                # The result was shown to the students of the second vote.
                 present = students_present[stop, second_vote]
             results.append(ClassResult(stop=stop, at=at, present=present, first=first, second=second))
         return results
@@ -443,7 +444,10 @@ class Classes:
         execute("UPDATE voter SET network = NULL WHERE network IS NOT NULL AND joined <= ?", (earlier,))
 
     def _begin_vote(self, execute: _Execute, code: str, stop: str, vote: Vote, options: str) -> None:
-        """Make a vote the current one of a class, and create it if it is new."""
+        """Make a vote the current one of a class, and create it if it is new.
+
+        `Vote` fills two columns: `asking` counts how often the question was asked, `number` is 1 or 2 for the vote.
+        """
         execute(
             "INSERT INTO question (code, stop, asking, number, options, asked) VALUES (?, ?, ?, ?, ?, ?) "
             "ON CONFLICT DO NOTHING",

@@ -95,7 +95,7 @@ def draw_tikz(machine: Oscillator, compression: float, colors: Mapping[str, str]
 
 
 def _draw(machine: Oscillator, compression: float) -> _Drawing:
-    """Draw the machine at its release; the left end of the relaxed block is at x = 0, the floor at y = 0."""
+    """Draw the machine at its release. With the spring relaxed, the block begins at x = 0; the floor is at y = 0."""
     q, _q_dot = motion(machine, released(machine, compression), 0.0)
     shift = {name: float(x) * _CM for name, x in ground_positions(machine, q).items()}
     R, x0 = machine.radius * _CM, compression * _CM
@@ -110,7 +110,8 @@ def _draw(machine: Oscillator, compression: float) -> _Drawing:
     upper = deck + _THICK + _STEP
     ceiling = upper + 2 * R + 3
     block_left, slab_start = shift["block"], slab_left + shift["slab"]
-    spring_start, spring_end, spring_height = slab_right + shift["slab"], riser + shift["block"], deck + _THICK / 2
+    spring_start, spring_end = slab_right + shift["slab"], riser + shift["block"]
+    spring_height = deck + _THICK / 2
     centres = {
         "hoop": (hoop + shift["hoop"], -_DECK - R),
         "cylinder": (cylinder + shift["cylinder"], -_DECK - R),

@@ -136,7 +136,7 @@ def _make_prediction(stop: Stop, source: random.Random) -> WorksheetQuestion:
 def _make_calculations(machine: Oscillator, target: Fraction) -> tuple[WorksheetQuestion, ...]:
     """Return the questions about this machine, with exact answers.
 
-    The number of lines is fixed for each question, so that its points do not depend on the length of the numbers.
+    Each question has a fixed number of lines, from which its points follow: they must not depend on the numbers.
     """
     values = Numbers.of(machine).exact
     ratio = sp.radsimp(values[m_prime] / values[m])

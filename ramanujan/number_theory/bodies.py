@@ -152,7 +152,7 @@ class BodyChoice:
 
     @property
     def discriminant(self) -> int:
-        """D = b² − 4ac > 0. It is (8/w − (2 + γ)(2 − s))² + 8sγ² times the square of a rational number."""
+        """D = b² − 4ac > 0. It is [(8/w − (2 + γ)(2 − s))² + 8sγ²] r² with a rational r."""
         return integers.discriminant(*self.quadratic)
 
     @cached_property

@@ -211,7 +211,7 @@ def positive_root_digits(a: int, b: int, c: int, digits: int) -> str:
     ------
     ValueError : a coefficient or the number of digits is not such an integer.
 
-    Source: integer square root; ⌊⌊x⌋/n⌋ = ⌊x/n⌋ for a positive integer n.
+    Source: integer square root; ⌊⌊x⌋/d⌋ = ⌊x/d⌋ for a positive integer d, here 2a.
 
     >>> positive_root_digits(18, 1, -24, 10)
     '1.1272568270'

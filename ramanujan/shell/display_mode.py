@@ -143,7 +143,7 @@ def hidden_stage_parts() -> tuple[str, ...]:
 
 
 def draw_bar() -> None:
-    """Draw the bar of the page, above it or on a narrow screen below it (page.css): link and projector switch."""
+    """Draw the bar with the link and the projector switch. It is above the page, or below (page.css)."""
     st.session_state[_SWITCH] = is_projector()
     with st.container(horizontal=True, vertical_alignment="center", key="bar"):
         components.link(address.PRIVATE, STANDALONE)

@@ -51,7 +51,7 @@ class Page:
 
     @property
     def url_parameters(self) -> tuple[URLParameter, ...]:
-        """The URL parameters of the page, besides those of every page."""
+        """The page's own URL parameters, without those of every page."""
         return self._attribute("URL_PARAMETERS", ())
 
     def draw_header(self) -> bool:
@@ -104,17 +104,17 @@ def is_first_page() -> bool:
 
 def navigate(hidden: bool) -> tuple[Page, st.Page]:
     """Draw the menu, unless `hidden`; return the current page and its script."""
-    pages = {
+    scripts = [
         st.Page(
             page.file,
             title=page.title,
             icon=f":material/{page.icon}:",
             url_path=page.path or None,
             default=not page.path,
-        ): page
+        )
         for page in PAGES.values()
-    }
-    script = st.navigation(list(pages), position="hidden" if hidden else "top")
+    ]
+    script = st.navigation(scripts, position="hidden" if hidden else "top")
     return next(page for page in PAGES.values() if page.path == script.url_path), script
 
 

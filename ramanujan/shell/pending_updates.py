@@ -47,7 +47,7 @@ def set_widgets(values: Mapping[str, Any]) -> None:
     _set(updates)
 
 
-def reassert() -> None:
+def repeat_unreceived() -> None:
     """Set the values again that the page had not received when it sent its last message.
 
     Call it before anything reads or draws the widgets: at the start of a run, and of each callback.

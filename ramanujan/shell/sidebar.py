@@ -33,6 +33,8 @@ _PRESET = "preset"
 _REQUESTS = "requests"
 """Session state: requests from a box, a preset or a button, for the next run.
 
+Each is a `partial`, because `begin` sorts them by their function.
+
 The list is changed in place, so that an interrupted run loses no request.
 """
 _PROCESSED = "processed_texts"
@@ -136,7 +138,7 @@ def _rerun_fragments() -> None:
 
     Only a browser keeps the rest of the page. In a test without a browser, the whole page reruns.
     """
-    pending_updates.reassert()
+    pending_updates.repeat_unreceived()
     fragments = st.session_state.get(_FRAGMENTS)
     if (
         fragments
@@ -164,7 +166,7 @@ def begin(problems: list[str]) -> None:
     st.session_state[_IS_FIRST] = _IS_FIRST not in st.session_state
     # Store the valid values of the link for `_reset`. The sliders have these values in the first run.
     st.session_state.setdefault(_LINKED, {key: parameter.value for key, parameter in PARAMETERS.items()})
-    pending_updates.reassert()
+    pending_updates.repeat_unreceived()
     for request in sorted(_requests(), key=lambda request: request.func is not set_number):
         request()
         _requests().remove(request)
@@ -270,11 +272,11 @@ def _reset() -> None:
 
 def _request_preset() -> None:
     """Request the selected preset, and clear the selection, which a moved slider would invalidate."""
-    pending_updates.reassert()
+    pending_updates.repeat_unreceived()
     preset = st.session_state[_PRESET]
     if preset in _RATIOS:
         request_ratio(_RATIOS[preset])
-    elif preset:
+    elif preset == "reset":
         _requests().append(partial(_reset))
     pending_updates.set_widgets({_PRESET: None})
 

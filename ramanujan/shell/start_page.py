@@ -16,7 +16,7 @@ from ramanujan.translation import LANGUAGE
 
 _STREAMLIT = Path(st.__file__).parent / "static"
 _FRAME = Path(modules.__file__).parent / "frame.js"
-_FONT = re.compile(rb'<link\s[^>]*as="font"[^>]*>')
+_STREAMLIT_PRELOAD = re.compile(rb'<link\s[^>]*as="font"[^>]*>')
 """Streamlit's link that preloads its own font. The app replaces this font with a smaller one (page.css)."""
 _FIRST_MODULES = ("begin", "components/services", "components/publish", "stage/stage")
 """Modules that draw the machine and import the others. A preload of all modules would delay these."""
@@ -61,6 +61,6 @@ def html(*, has_formulas: bool) -> bytes:
     page = page.replace(b'<html lang="en"', f'<html lang="{LANGUAGE}"'.encode(), 1)
     # frame.js runs before Streamlit's own scripts, which read the address.
     page = page.replace(b"<head>", f"<head><script>{_FRAME.read_text(encoding='utf-8')}</script>".encode(), 1)
-    page = _FONT.sub("".join(preloads).encode(), page, count=1)
+    page = _STREAMLIT_PRELOAD.sub("".join(preloads).encode(), page, count=1)
     # Append them to the body: Streamlit adds its rules to the head, and the later of two equal rules applies.
     return page.replace(b"</body>", "".join([*links, *scripts, "</body>"]).encode(), 1)

@@ -35,7 +35,7 @@ def selectbox(parameter: Choice, label: str, labels: Labels | None = None, **mor
 
 def select_slider(parameter: Choice, label: str, **more: Any) -> Any:
     """Draw the options as the marks of a slider."""
-    return _choice(st.select_slider, parameter, label, None, value=parameter.default, **more)
+    return _choice(st.select_slider, parameter, label, labels=None, value=parameter.default, **more)
 
 
 def _choice(draw: Callable[..., object], parameter: Choice, label: str, labels: Labels | None, **more: Any) -> Any:

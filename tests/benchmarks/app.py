@@ -110,8 +110,9 @@ def visit(browser: Browser, address: str, subject: Subject) -> tuple[Page, float
     first_picture = perf_counter() - start
     page.wait_for_selector(subject.complete)
     complete_page = perf_counter() - start
+    # Only an open step contains numbers. Open the last one, if the page has steps.
     for step in page.locator(".st-key-steps summary").all()[-1:]:
-        step.click()  # only an open step contains numbers
+        step.click()
     settle(page)
     return page, first_picture, complete_page
 

@@ -234,7 +234,7 @@ async def _vote(address: str, arguments: argparse.Namespace) -> None:
                     due = None
                     vote_times.append(time.time())
                     await phone.choose(chance.randrange(len(stop.options)))
-                results.waits.append(await phone.look())
+                results.waits.append(await phone.poll())
                 await asyncio.sleep(chance.uniform(0, 2 * PHONE_INTERVAL))
 
         await asyncio.gather(*map(answer, phones))
@@ -291,6 +291,7 @@ def quantiles(values: list[float]) -> tuple[float, float, float]:
 def processor_time(processes: Iterable[int]) -> float:
     """Return the processor time of the processes [s]."""
     ticks = os.sysconf("SC_CLK_TCK")
+    # The fields after the name in brackets: 11 and 12 are utime and stime.
     fields = (Path(f"/proc/{process}/stat").read_text().rpartition(")")[2].split() for process in processes)
     return sum((int(stat[11]) + int(stat[12])) / ticks for stat in fields)
 

@@ -116,9 +116,9 @@ class Visitor:
         """Choose an option of the last radio on the page; return the seconds until the answer."""
         identifier, radio = list(self.radios.items())[-1]
         self.widgets[identifier] = WidgetState(id=identifier, string_value=radio.options[number])
-        return await self.look()
+        return await self.poll()
 
-    async def look(self) -> float:
+    async def poll(self) -> float:
         """Run the fragment that repeats every few seconds; return the seconds until the answer."""
         start = perf_counter()
         await self._request_run(fragment=self.fragment)

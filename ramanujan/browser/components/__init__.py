@@ -288,8 +288,8 @@ def stopwatch(key: str) -> float | None:
     key : Streamlit's key of the element
     """
     data = {"start": _("Start"), "stop": _("Stop"), "seconds": _("{seconds}\u202fs")}
-    stopwatch = modules.component("components/stopwatch")(key=key, data=data, on_seconds_change=lambda: None)
-    return stopwatch.seconds if _is_like(stopwatch.seconds, 0.0) else None
+    element = modules.component("components/stopwatch")(key=key, data=data, on_seconds_change=lambda: None)
+    return element.seconds if _has_type_of(element.seconds, 0.0) else None
 
 
 def mount(
@@ -309,16 +309,16 @@ def mount(
 
     def receive() -> None:
         value = getattr(st.session_state.get(key), event, None)
-        if _is_like(value, example):
+        if _has_type_of(value, example):
             on_value(value)
 
     return modules.component(name)(key=key, data=data, **{f"on_{event}_change": receive})
 
 
-def _is_like(value: Any, example: Any) -> bool:
+def _has_type_of(value: Any, example: Any) -> bool:
     """Whether a value has the type of an example. A float may be an integer, and must be finite."""
     if isinstance(example, dict):
-        return isinstance(value, dict) and all(_is_like(value.get(name), part) for name, part in example.items())
+        return isinstance(value, dict) and all(_has_type_of(value.get(name), part) for name, part in example.items())
     if isinstance(example, float):
         return isinstance(value, int | float) and math.isfinite(value)
     return isinstance(value, type(example)) and not isinstance(value, bool)

@@ -7,7 +7,7 @@ import { dom } from "./streamlit_dom.js";
 import { fill, fixed } from "./sentences.js";
 
 const SAME = 1e-12; // relative; the rounding errors of ε* are smaller
-let isReached = false; // whether the slider has reached the ratio since the page was loaded; then the ratio is marked
+let hasReachedGoal = false; // whether the slider has reached the ratio since the page was loaded; then the ratio is marked
 let isCompleted = false; // whether a story has been completed since the page was loaded
 
 export default ({ data, parentElement }, signal) => void new Story(data, parentElement, signal);
@@ -30,6 +30,7 @@ class Story {
   listen() {
     const { data: { stage, slider }, button, signal } = this;
     button.addEventListener("click", () => (this.scenes ? this.stop() : this.begin()));
+    // A pointer event has no key.
     const isPress = (event) => event.composedPath().includes(button) && [undefined, " ", "Enter"].includes(event.key);
     const interrupt = (event) => this.scenes && !isPress(event) && this.stop();
     for (const type of ["pointerdown", "keydown"]) addEventListener(type, interrupt, { capture: true, signal });
@@ -68,7 +69,7 @@ class Story {
 
   /** End the story at the goal. */
   complete() {
-    isReached = isCompleted = true;
+    hasReachedGoal = isCompleted = true;
     this.setScenes(null);
     this.show(this.data.words.there);
     bus.publish(`enter/${this.data.slider}`, String(this.goal));
@@ -108,17 +109,17 @@ class Story {
     if (this.scenes) return;
     const { words, slider } = this.data, isInStep = Math.abs(ratio / this.data.ratio - 1) < SAME;
     bus.publish(`goal/${slider}`, this.goal);
-    if (isInStep && !isReached) bus.publish("announce", { sentence: words.there, urgent: false });
-    isReached ||= isInStep;
+    if (isInStep && !hasReachedGoal) bus.publish("announce", { sentence: words.there, urgent: false });
+    hasReachedGoal ||= isInStep;
     this.output.textContent = isInStep ? words.there : fill(words.ratio, { ratio: fixed(ratio, 4) });
     this.output.classList.toggle("there", isInStep);
     this.button.textContent = this.startLabel();
     this.mark();
   }
 
-  /** Mark the goal on the slider. Streamlit may draw the slider later, so try again in the next frame. */
+  /** Mark the goal on the slider once it was reached. Streamlit may draw the slider later, so try again in the next frame. */
   mark() {
-    if (!isReached || dom.markSlider(this.data.slider, this.goal, this.data.words.mark) || this.signal.aborted) return;
+    if (!hasReachedGoal || dom.markSlider(this.data.slider, this.goal, this.data.words.mark) || this.signal.aborted) return;
     requestAnimationFrame(() => this.mark());
   }
 

@@ -128,7 +128,7 @@ def mount(
     Parameters
     ----------
     data : the payload; None if it is published later
-    key : Streamlit's key of the stage
+    key : Streamlit's key of the stage, and its name on the bus unless the options contain a name
     on_view : called with a value like `VIEW` when a person has changed the view, and when the machine is released again
     hide : the hidden parts, members of `PARTS`; they may differ in the next run
     **options : as in `settings`

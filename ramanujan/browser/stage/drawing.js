@@ -49,9 +49,9 @@ function fitView({ left, right, bottom, top }) {
   return { left: left - margin, right: right + margin, bottom, top: bottom + width / ASPECT };
 }
 
-/** The displacement of each body [cm] in a view that has moved by `shift` [m]. `known` has the symbols of the formulas. */
-export const displacements = (known, shift) =>
-  mapValues(FORMULAS.displacement, (displacement) => (displacement(known) - shift) * CM);
+/** The displacement of each body [cm] in a view that has moved by `shift` [m]. `values`: symbol → value for the formulas. */
+export const displacements = (values, shift) =>
+  mapValues(FORMULAS.displacement, (displacement) => (displacement(values) - shift) * CM);
 
 /** The points at which the velocity arrows begin, at φ = 0. */
 export function anchors(g) {
@@ -100,31 +100,31 @@ export const CONTACTS = mapValues(FORMULAS.contact_force, (_force, contact) => {
 const MAX_OFFSET = 1.5; // cm, by which a force is drawn beside its contact or the spring, so that opposite arrows do not overlap
 
 /** The forces parallel to the floor, name → { body, x, y, newtons to the right }. A contact has two opposite and equal forces. */
-export function horizontalForces(known, g, shift) {
-  const displaced = displacements(known, shift), offset = Math.min(0.22 * g.R, MAX_OFFSET), forces = {};
+export function horizontalForces(values, g, shift) {
+  const displaced = displacements(values, shift), offset = Math.min(0.22 * g.R, MAX_OFFSET), forces = {};
   for (const [contact, { roller, other, side }] of Object.entries(CONTACTS)) {
     const x = g.centre[roller][0] + displaced[roller], y = g.centre[roller][1] + side * g.R;
-    const friction = FORMULAS.contact_force[contact](known);
+    const friction = FORMULAS.contact_force[contact](values);
     forces[`${contact} ${roller}`] = { body: roller, x, y: y - side * offset, newtons: friction };
     forces[`${contact} ${other}`] = { body: other, x, y: y + side * offset, newtons: -friction };
   }
   // The two forces of a stretched spring point towards each other.
   const axis = g.slab.bottom + g.thick / 2, { slab, block } = FORMULAS.spring_force;
-  forces["spring slab"] = { body: "slab", x: g.slab.right + displaced.slab, y: axis + offset, newtons: slab(known) };
-  forces["spring block"] = { body: "block", x: g.riser + displaced.block, y: axis - offset, newtons: block(known) };
+  forces["spring slab"] = { body: "slab", x: g.slab.right + displaced.slab, y: axis + offset, newtons: slab(values) };
+  forces["spring block"] = { body: "block", x: g.riser + displaced.block, y: axis - offset, newtons: block(values) };
   return forces;
 }
 
 /** The weights and normal forces, name → { body, x, y, newtons upwards }. A contact has two opposite and equal forces. */
-export function verticalForces(known, g, shift) {
-  const displaced = displacements(known, shift), forces = {};
+export function verticalForces(values, g, shift) {
+  const displaced = displacements(values, shift), forces = {};
   for (const [contact, { roller, other, side }] of Object.entries(CONTACTS)) {
     const x = g.centre[roller][0] + displaced[roller], y = g.centre[roller][1] + side * g.R;
-    const normal = -side * FORMULAS.normal_force[contact](known);
+    const normal = -side * FORMULAS.normal_force[contact](values);
     forces[`${contact} ${roller}`] = { body: roller, x, y, newtons: normal };
     forces[`${contact} ${other}`] = { body: other, x, y, newtons: -normal };
   }
-  const weights = mapValues(FORMULAS.weight, (weight) => weight(known));
+  const weights = mapValues(FORMULAS.weight, (weight) => weight(values));
   for (const [name, [x, y]] of Object.entries(g.home)) {
     // A roller's weight is drawn beside the line of its normal forces, which would hide it.
     const distance = ROLLERS.includes(name) ? 0.22 * g.R : 0;
@@ -132,8 +132,8 @@ export function verticalForces(known, g, shift) {
   }
   const total = Object.values(weights).reduce((sum, weight) => sum + weight, 0);
   const heights = Object.fromEntries(BODIES.map((name) => [`height_${name}`, g.home[name][1] / CM]));
-  const lever = FORMULAS.floor_lever({ ...known, ...heights }) * CM;
-  forces["floor block"] = { body: "block", x: centreOfMass(known, g, shift) + lever, y: 0, newtons: total };
+  const lever = FORMULAS.floor_lever({ ...values, ...heights }) * CM;
+  forces["floor block"] = { body: "block", x: centreOfMass(values, g, shift) + lever, y: 0, newtons: total };
   return forces;
 }
 
@@ -252,48 +252,48 @@ export function outlines(g, parameters) {
   }, ...rollers);
 }
 
-/** The positions of the bodies and the spring for these coordinates. */
-export function positions(known, g, shift = 0) {
-  const x = displacements(known, shift), [from, to] = [g.slab.right + x.slab, g.riser + x.block];
+/** The positions of the bodies and the spring in a view that has moved by `shift` [m]; `values` as in `displacements`. */
+export function positions(values, g, shift = 0) {
+  const x = displacements(values, shift), [from, to] = [g.slab.right + x.slab, g.riser + x.block];
   const table = { ...coil(".spring", from, to, g.slab.bottom + g.thick / 2, 2), ".stiffness": { x: (from + to) / 2 } };
   for (const [name, [x0, y0]] of Object.entries({ block: [0, 0], slab: [0, 0], ...g.centre }))
     table[`.${name}`] = { transform: `translate(${x0 + x[name]} ${-y0})` };
-  for (const name of ROLLERS) table[`.${name} .spin`] = { transform: `rotate(${(FORMULAS.angle[name](known) * 360) / TURN})` };
+  for (const name of ROLLERS) table[`.${name} .spin`] = { transform: `rotate(${(FORMULAS.angle[name](values) * 360) / TURN})` };
   return table;
 }
 
 /** The outlines of slab and top roller at a position, for the trail. */
-export function trailOutline(known, g, shift) {
-  const displaced = displacements(known, shift), { slab, R } = g;
+export function trailOutline(values, g, shift) {
+  const displaced = displacements(values, shift), { slab, R } = g;
   const slabOutline = `M${slab.left + displaced.slab} ${-slab.bottom}v${-g.thick}H${slab.right + displaced.slab}v${g.thick}z`;
   const x = g.centre.top[0] + displaced.top, y = -g.centre.top[1];
   return `${slabOutline}M${x} ${y - R}${arc(x, y, R, R, 0, TURN)}z`;
 }
 
 /** The centre of mass of the whole machine in a view that has moved by `shift` [m]. */
-export function centreOfMass(known, g, shift) {
-  const displaced = displacements(known, shift);
-  return FORMULAS.centre({ ...known, ...mapValues(g.home, ([x], name) => x + displaced[name]) });
+export function centreOfMass(values, g, shift) {
+  const displaced = displacements(values, shift);
+  return FORMULAS.centre({ ...values, ...mapValues(g.home, ([x], name) => x + displaced[name]) });
 }
 
 /** A quantity of the reference frame: the block's value of these formulas, or 0 for the ground. */
-export const frameValue = (formulas, known, seenFrom) => (seenFrom === "block" ? formulas.block(known) : 0);
+export const frameValue = (formulas, values, seenFrom) => (seenFrom === "block" ? formulas.block(values) : 0);
 
 /** The path of the mark on a roller's rim through these states, relative to the ground or the block. */
 export function rimTrace(name, states, g, seenFrom) {
   const [x, y] = g.centre[name];
-  const points = states.map((known) => {
-    const angle = FORMULAS.angle[name](known), origin = frameValue(FORMULAS.displacement, known, seenFrom);
-    const displacement = displacements(known, origin)[name];
+  const points = states.map((values) => {
+    const angle = FORMULAS.angle[name](values), origin = frameValue(FORMULAS.displacement, values, seenFrom);
+    const displacement = displacements(values, origin)[name];
     return `${x + displacement + g.R * Math.sin(angle)} ${-(y + g.R * Math.cos(angle))}`;
   });
   return `M${points.join("L")}`;
 }
 
 /** The end of the motion, or null: the top roller beyond an edge ("edge"), or the slab against the block ("struck"). */
-export function collision(known, g) {
+export function collision(values, g) {
   const { top, block } = FORMULAS.displacement;
-  const x = (top(known) - block(known)) * CM + g.centre.top[0]; // of the top roller's centre on the block
+  const x = (top(values) - block(values)) * CM + g.centre.top[0]; // of the top roller's centre on the block
   if (x < g.riser || x > g.right) return "edge";
-  return Math.abs(FORMULAS.deformation(known)) * CM > g.travel + 8 ? "struck" : null;
+  return Math.abs(FORMULAS.deformation(values)) * CM > g.travel + 8 ? "struck" : null;
 }

@@ -73,6 +73,7 @@ const colourOf = (value) => (value.match(/^rgba?\((\d+), (\d+), (\d+)/) ?? []).s
 /** Return a CSS colour for TikZ, or undefined for a transparent one. */
 function tikzColour(value) {
   const [r, g, b] = colourOf(value);
+  // r is a text, so the "0" of black counts as true.
   return r && `{rgb,255:red,${r};green,${g};blue,${b}}`;
 }
 const rounded = (value) => Number(value.toFixed(4));

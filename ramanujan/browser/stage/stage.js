@@ -74,7 +74,7 @@ class Stage {
     if (before) return;
     this.layers = new Set(this.keeper.layers() ?? this.layers);
     this.picture.show(this.layers);
-    this.resume(this.keeper.paused());
+    this.pauseAt(this.keeper.paused());
     this.applyMotionPreference();
     this.follow(bus.last(`view/${this.clockName}`), true);
     this.draw(0); // now, so that the machine appears one frame earlier
@@ -94,13 +94,13 @@ class Stage {
     const passed = pace * (ago + (performance.now() - arrivals.get(view)) / 1000);
     Object.assign(this.clock, { speed, seenFrom: from });
     this.picture.show((this.layers = new Set(layers.split(","))));
-    this.change(() => this.resume([turns[0] * TURN + Omega * passed, turns[1] * TURN + plain * passed]));
+    this.change(() => this.pauseAt([turns[0] * TURN + Omega * passed, turns[1] * TURN + plain * passed]));
     this.clock.playing = pace > 0 && !this.calm.matches;
     this.showClock();
   }
 
-  /** Pause at these two phases, if any. */
-  resume(phases) {
+  /** Pause at these phases of the machine and the plain mass; without them, do nothing. */
+  pauseAt(phases) {
     if (!phases) return;
     this.clock.playing = false;
     this.playback.goTo(phases[0]);

@@ -63,7 +63,7 @@ URL_PARAMETERS = (PART, STOP, TASK, LENGTH, CHOSEN)
 
 
 def read_prediction(stop: Stop) -> tuple[str | None, str]:
-    """Return the selected option of a stop or None, and its phase."""
+    """Return the option that the reader has selected at a stop, or None, and the reader's phase there."""
     return address.current(CHOSEN).get(stop.id, (None, ASKED))
 
 

@@ -112,7 +112,7 @@ def is_answered(stop: Stop) -> bool:
 def draw(stop: Stop, number: int) -> None:
     """Draw the stop with this number."""
     class_phase = class_session.find_phase(stop)
-    _option, phase = progress.read_prediction(stop)
+    chosen, phase = progress.read_prediction(stop)
     if class_phase is not None:
         # The lecturer's page follows the phase of the class and ignores the lecturer's own prediction.
         phase = {Phase.RUNNING: progress.MISSED, Phase.SOLVED: progress.ANSWERED}.get(class_phase, progress.ASKED)
@@ -130,7 +130,7 @@ def draw(stop: Stop, number: int) -> None:
             st.title(f"{number}. {stop.heading}", anchor=False)
             st.markdown(stop.question)
         with words:
-            _draw_answers(stop, class_phase, phase, with_options=has_own_slide)
+            _draw_answers(stop, chosen, class_phase, phase, with_options=has_own_slide)
     if has_own_slide:
         with slide("machine", _("The machine")):
             _words, picture, reason = draw_containers(stop, running)
@@ -146,9 +146,8 @@ def draw(stop: Stop, number: int) -> None:
         st.fragment(draw_observation)(stop, running)
 
 
-def _draw_answers(stop: Stop, class_phase: Phase | None, phase: str, *, with_options: bool) -> None:
-    """Draw the lecturer's desk, the options, or the reader's prediction with its verdict."""
-    chosen, _phase = progress.read_prediction(stop)
+def _draw_answers(stop: Stop, chosen: str | None, class_phase: Phase | None, phase: str, *, with_options: bool) -> None:
+    """Draw the lecturer's desk, the options, or the chosen option with its verdict."""
     if class_phase is not None:
         classroom.draw_desk(stop, class_phase)
     elif chosen is None:

@@ -129,14 +129,15 @@ def draw_energy(motion: Record, figures: tuple[EncodedFigure, ...]) -> None:
 def draw_momentum(motion: Record, figures: tuple[EncodedFigure, ...]) -> None:
     """Draw the momenta of the bodies and the two conserved momenta."""
     p_X, p_Phi = (float(motion.momenta[name][0]) for name in ("p_X", "p_Phi"))
-    X_symbol, _phi_symbol, Phi_symbol = map(latex, MOMENTA)
+    p_X_symbol, _p_phi_symbol, p_Phi_symbol = map(latex, MOMENTA)
     alternative = _(
         "Momentum of each body over time. The bodies exchange momentum, but two lines are flat, because two momenta "
         "are conserved: all bodies together {all:3 kg m/s}, p_Φ/R {top:3 kg m/s}."
     )
-    words, figure = columns("momentum")
-    with figure:
-        draw_chart(figures[0], "momentum", filled(alternative, all=-p_X, top=p_Phi / motion.oscillator.radius))
+    (figure,) = figures
+    words, place = columns("momentum")
+    with place:
+        draw_chart(figure, "momentum", filled(alternative, all=-p_X, top=p_Phi / motion.oscillator.radius))
     sentence = _(
         "The bodies exchange momentum, but two momenta are conserved, because the Lagrangian contains neither $X$ nor "
         "$\\Phi$. $-{p_X}$ is the momentum of the whole machine; $X$ is positive to the left, hence the minus sign. "
@@ -144,7 +145,7 @@ def draw_momentum(motion: Record, figures: tuple[EncodedFigure, ...]) -> None:
         "initial velocities and watch both lines move."
     )
     with words:
-        st.caption(sentence.format(p_X=X_symbol, p_Phi=Phi_symbol))
+        st.caption(sentence.format(p_X=p_X_symbol, p_Phi=p_Phi_symbol))
 
 
 def draw_forces(motion: Record, figures: tuple[EncodedFigure, ...], friction: Friction) -> None:

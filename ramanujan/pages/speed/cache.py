@@ -18,8 +18,8 @@ from ramanujan.accuracy.choices import (
     ClosedForm,
     measure_arithmetics,
     measure_caching,
+    measure_chord_errors,
     measure_closed_form,
-    sample_curves,
     seconds_per_reduction,
 )
 from ramanujan.accuracy.extremes import Sweep, extremes
@@ -167,7 +167,7 @@ def choices() -> Choices:
         return Choices(
             states=measure_closed_form(machine),
             reduction=seconds_per_reduction(machine),
-            curves=sample_curves(),
+            curves=measure_chord_errors(),
             arithmetics=measure_arithmetics(),
             speedups=measure_caching(machine),
         )

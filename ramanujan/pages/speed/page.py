@@ -66,9 +66,13 @@ def draw_error_growth(method: str, steps: int) -> int:
     with place, st.skeleton(height=480):
         runs = [cache.run(name, steps, periods, precision) for name in METHODS if compared == "all" or name == method]
     run = cache.run(method, steps, periods, precision)
-    phases = cache.phases(sidebar.oscillator())
-    shown_phases = [errors for errors in phases if errors.periods <= max(periods, 10)]
-    closed_form = np.array([errors.periods for errors in shown_phases]), np.array([e.float64 for e in shown_phases])
+    phase_errors = cache.phases(sidebar.oscillator())
+    # At least two points make a curve.
+    shown_errors = [errors for errors in phase_errors if errors.periods <= max(periods, 10)]
+    closed_form = (
+        np.array([errors.periods for errors in shown_errors]),
+        np.array([errors.float64 for errors in shown_errors]),
+    )
     curves = {METHODS[run.method].title: (run.times, run.energy, run.phase) for run in runs}
     titles = [method.title for method in METHODS.values()]
     figure = figures.draw_error_growth(curves, METHODS[method].title, closed_form, titles, theme.colors())

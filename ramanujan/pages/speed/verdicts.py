@@ -88,7 +88,7 @@ def describe_errors(run: SampledRun) -> str:
 
 
 def _describe_phase(error: float) -> str:
-    """State a phase error at the end [rad], in turns and in radians."""
+    """Describe the phase error [rad] at the end of a run, in turns and in radians."""
     turns = abs(error) / math.tau
     off = _("{turns} full turns") if turns > 1 else _("{turns} of a full turn")
     if error > 0:
@@ -225,7 +225,7 @@ def strip(sweep: Sweep) -> list[Part]:
 
 
 _RETURNS = {
-    # TRANSLATORS: what a formula returns; a list of them follows the name of the formula and a colon.
+    # TRANSLATORS: what a formula returns. Such phrases are joined by commas, after the name of the formula and a colon.
     RIGHT: _("right to {error} ulp"),
     ZERO: "0",
     OVERFLOW: _("∞ or NaN"),

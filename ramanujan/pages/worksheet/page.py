@@ -41,10 +41,10 @@ def show() -> None:
         if not is_projector():
             exercise.draw_composer()
     numbered = make_questions(machine, seed, level)
-    calculations = [number for number, question in enumerate(numbered, start=1) if question.working]
+    calculation_numbers = [number for number, question in enumerate(numbered, start=1) if question.working]
     with nullcontext() if is_projector() else st.container(key="worksheet", border=True):
         with first_slide:
-            draw_head(machine, paper, seed, calculations, sum(question.points for question in numbered))
+            draw_head(machine, paper, seed, calculation_numbers, sum(question.points for question in numbered))
         first = 1
         for group in slides_of(numbered, paper == "key"):
             last = first + len(group) - 1
@@ -143,15 +143,15 @@ def make_worksheet() -> None:
     st.session_state.update({KEY.name: key, SEED.name: worksheet_keys.name(key)})
 
 
-def draw_head(machine: Oscillator, paper: str, seed: str, calculations: list[int], points: int) -> None:
-    """Draw the title with the name of the worksheet, and the machine of the calculations.
+def draw_head(machine: Oscillator, paper: str, seed: str, calculation_numbers: list[int], points: int) -> None:
+    """Draw the title with the name of the worksheet, and the machine of the calculation_numbers.
 
     Parameters
     ----------
-    machine : the machine of the calculations
+    machine : the machine of the calculation_numbers
     paper : an option of `PAPER`
     seed : name of the worksheet
-    calculations : numbers of the questions that use the machine's values
+    calculation_numbers : numbers of the questions that use the machine's values
     points : sum of the points of all questions
     """
     title = _("Ramanujan’s oscillator: key {seed}") if paper == "key" else _("Ramanujan’s oscillator: worksheet {seed}")
@@ -176,7 +176,7 @@ def draw_head(machine: Oscillator, paper: str, seed: str, calculations: list[int
             "the top cylinder by Φ."
         ).format(frequency="$\\sqrt{k/m}$"),
         _("The machine of questions {first} to {last}: {values}.").format(
-            first=calculations[0], last=calculations[-1], values=values
+            first=calculation_numbers[0], last=calculation_numbers[-1], values=values
         ),
     ]
     with words:

@@ -74,7 +74,7 @@ def draw_worksheet(items: tuple[str, ...]) -> None:
 
 
 def write_worksheet(items: tuple[str, ...]) -> str:
-    """Return the worksheet as Markdown: each item with its answer, the time of the first right one, and used hints."""
+    """Return the worksheet as Markdown: each item with its answer, the time it was first right, and the used hints."""
     lines = ["# " + _("Ramanujan’s oscillator: exercise"), _("Name: {line} Date: {line}").format(line="\\_" * 16), ""]
     for number, item in enumerate(items, start=1):
         text = find_question(item).prompt() if item in QUESTIONS else lesson.find_task(item).text

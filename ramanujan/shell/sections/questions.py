@@ -120,7 +120,14 @@ def publish_machine() -> None:
 
 
 def draw_box(name: str, with_step: bool, route: str = "") -> None:
-    """Draw the text of a question, its box, the verdict and the hints. The arguments are those of `draw_question`."""
+    """Draw the text of a question, its box, the verdict, and the hints unless a route asks the question.
+
+    Parameters
+    ----------
+    name : the question
+    with_step : whether the last hint shows the step of the derivation
+    route : the route that asks the question before its step, or ""
+    """
     shown = find_question(name)
     is_equation = shown.kind == EQUATION
     st.markdown(shown.prompt())
