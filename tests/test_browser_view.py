@@ -80,17 +80,17 @@ DRAWN = """!document.querySelector("[data-testid=stSkeleton]")
     && [...document.querySelectorAll(".stPlotlyChart")].every((chart) => chart.querySelector(".main-svg"))"""
 FIRST, MOTION = "?m=3.7&m_prime=0.41&k=33.3&radius=20&slide=step_1", "motion?spin=3&mu=0.01"
 SLIDES = {
-    FIRST: 12,
+    FIRST: 15,
     "derivation?route=newton&step=4": 4,
     MOTION: 6,
-    "1729?left=sphere&top=shell": 8,
+    "1729?left=sphere&top=shell": 10,
     "speed?periods=1&slide=costs": 9,
     "lesson?stop=zero-modes&chosen=zero-modes.one": 2,
     "lesson?stop=end": 3,
     f"worksheet?seed={name_of(1)}&paper=key&key={key_of(1)}": 11,
 }
 """Page → number of its slides."""
-FULL = {FIRST: 0.5, "lesson?stop=zero-modes&chosen=zero-modes.one": 0.75, "1729?left=sphere&top=shell": 0.75}
+FULL = {FIRST: 1, "lesson?stop=zero-modes&chosen=zero-modes.one": 0.75, "1729?left=sphere&top=shell": 1}
 """Page → used share of a slide's height from which its sentences may be small."""
 
 

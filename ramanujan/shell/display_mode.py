@@ -78,7 +78,7 @@ def columns(name: str) -> Sequence[AbstractContextManager[Any]]:
 
 
 def floated(name: str) -> Sequence[AbstractContextManager[Any]]:
-    """Return containers for a picture at the right and for the text that flows around it.
+    """Return containers for a picture at the right and for the text that flows around it; none in the normal view.
 
     An equation that is too wide for the place beside the picture is below it.
 
@@ -86,6 +86,8 @@ def floated(name: str) -> Sequence[AbstractContextManager[Any]]:
     ----------
     name : name of the containers, unique on the page
     """
+    if not is_projector():
+        return nullcontext(), nullcontext()
     both = container("floated", name)
     return both.container(), both.container()
 

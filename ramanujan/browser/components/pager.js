@@ -8,7 +8,7 @@ import { fill } from "./sentences.js";
 import { turnOf } from "./turning.js";
 
 const AWAY = "data-away"; // projector.css hides slides with this attribute, without a change of their size
-const SIZES = [1.2, 1.15, 1.1, 1.05, 1, 0.96, 0.92, 0.88, 0.84, 0.8, 0.76, 0.72]; // of the words (projector.css)
+const SIZES = [1.2, 1.15, 1.1, 1.05, 1, 0.99, 0.96, 0.92, 0.88, 0.84, 0.8, 0.76, 0.72]; // of the words (projector.css)
 const PAUSE = 400; // ms from the last turn until the slide's name is sent to the server
 
 let page; // path of the page whose slides were shown last, by this pager or an earlier one

@@ -32,9 +32,8 @@ def show() -> None:
     """Draw the page."""
     machine, compression = sidebar.oscillator(), sidebar.compression()
     with slide("machine", _("The machine")):
-        picture, words = display_mode.picture_and_words()
         question_column, verdict_column = columns("opening")
-        with words, question_column:
+        with question_column:
             st.title(_("Motion"), anchor=False)
             st.markdown(
                 _(
@@ -42,6 +41,7 @@ def show() -> None:
                     "initial velocity, or change the friction."
                 )
             )
+        picture, words = display_mode.picture_and_words(2)
         with picture:
             scene = st.container(key="without_dials")
         with words:
@@ -57,7 +57,7 @@ def show() -> None:
             draw_machine(motion, friction)
             if not display_mode.is_projector():
                 components.cursor("motion")
-        with picture, verdict_column, st.container(key="verdict"):
+        with verdict_column, st.container(key="verdict"):
             draw_verdict(friction, compression)
     # In the projector view the time cursor is on every slide.
     if display_mode.is_projector():

@@ -2,6 +2,8 @@
 
 import math
 from collections.abc import Sequence
+from contextlib import AbstractContextManager
+from typing import Any
 
 import streamlit as st
 
@@ -19,6 +21,8 @@ from ramanujan.translation import _
 
 # Two frequencies with a smaller relative difference are considered equal.
 _ROUNDING_ERROR = 1e-12
+# On a slide, at most so many lines of numbers are beside the equations.
+_NUMBERS_BESIDE = 2
 
 
 def warm_up() -> None:
@@ -217,7 +221,7 @@ def draw_step(n: int, step: cache.SummaryStep, numbers: Numbers | None) -> None:
     draw_numbers(n, step.numbers, cache.LINE_WIDTH, state_numbers(numbers) if numbers else "")
 
 
-def draw_numbers(n: int, rows: Sequence[Row], width: int, stated: str = "") -> None:
+def draw_numbers(n: int, rows: Sequence[Row], width: int = cache.LINE_WIDTH, stated: str = "") -> None:
     """Draw equations with the current numbers, if there are any."""
     if rows:
         heading = _("Your machine")
@@ -232,26 +236,41 @@ def draw_equations(key: str, rows: Sequence[Row], width: int = cache.LINE_WIDTH)
 
 
 def draw_slides(steps: list[cache.SummaryStep]) -> None:
-    """Draw each step of the route on a slide of the projector view, next to the machine with its symbols."""
-    from ramanujan.lesson.picture import draw_svg  # Imported late: the first page of a visitor does not need it.
-
-    machine = draw_svg(sidebar.oscillator(), sidebar.compression(), theme.paper_colors())
+    """Draw each step of the route on a slide of the projector view, and many numbers on the next slide."""
     for n, step in enumerate(steps, start=1):
         for index, detail in enumerate(step.steps):
             letter = "abc"[index] if len(step.steps) > 1 else ""
             title = f"{n}{letter}. {detail.heading}"
             name = f"step_{n}_{index + 1}" if index else f"step_{n}"
-            with slide(name, title):
-                picture, words = display_mode.floated(name)
-                with picture:
-                    drawings.draw(machine, alt=_("The machine with its coordinates."), style="width:100%")
-                with words:
-                    st.markdown(f"### {title}\n{detail.reason}")
-                    with st.container(horizontal=True):
-                        st.latex(detail.equations, width="content")
-                        if detail == step.steps[-1] and step.numbers:
-                            with st.container(width="content"):
-                                draw_numbers(n, step.numbers, 24)
+            rows = step.numbers if detail == step.steps[-1] else ()
+            is_continued = len(rows) > _NUMBERS_BESIDE
+            with slide(name, title), beside_machine(name):
+                st.markdown(f"### {title}\n{detail.reason}")
+                with st.container(horizontal=True):
+                    st.latex(detail.equations, width="content")
+                    if rows and not is_continued:
+                        with st.container(width="content"):
+                            draw_numbers(n, rows, 24)
+            if is_continued:
+                next_name = f"numbers_{n}"
+                with slide(next_name, _("{heading}, continued").format(heading=title)), beside_machine(next_name):
+                    draw_numbers(n, rows)
+
+
+def beside_machine(name: str) -> AbstractContextManager[Any]:
+    """Draw the machine with its symbols at the right of a slide, and return the container at its left.
+
+    Parameters
+    ----------
+    name : name of the slide
+    """
+    from ramanujan.lesson.picture import draw_svg  # Imported late: the first page of a visitor does not need it.
+
+    picture, words = display_mode.floated(name)
+    machine = draw_svg(sidebar.oscillator(), sidebar.compression(), theme.paper_colors())
+    with picture:
+        drawings.draw(machine, alt=_("The machine with its coordinates."), style="width:100%")
+    return words
 
 
 if __name__ == "__main__":

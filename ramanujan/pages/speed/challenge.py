@@ -38,7 +38,7 @@ def draw() -> None:
     projector = display_mode.is_projector()
     if projector:
         draw_question()
-    words, picture = st.container(key="beside").columns(2 if projector else [4, 5], gap="small")
+    words, picture = st.container(key="beside").columns([5, 4] if projector else [4, 5], gap="small")
     with words:
         with container("lead", "question"):
             if not projector:

@@ -119,8 +119,7 @@ def draw_open_question() -> None:
     paper = pairs.index((PAPER.left, PAPER.right))
     with slide("counts", _("A count")):
         tallies = _count_cubes(pairs)
-        projector = display_mode.is_projector()
-        figure, words = display_mode.picture_and_words() if projector else reversed(columns("counts"))
+        words, figure = columns("counts")
         with words:
             st.markdown(
                 _(
@@ -130,8 +129,8 @@ def draw_open_question() -> None:
             )
         with figure:
             draw_counts(tallies, paper)
-        with words:
-            name_coincidences(tallies[paper])
+    with slide("coincidences", _("What stays a coincidence")), words:
+        name_coincidences(tallies[paper])
 
 
 def explain_form() -> None:

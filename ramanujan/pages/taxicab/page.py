@@ -9,7 +9,7 @@ from ramanujan.numerals import DECIMAL, in_latex, number
 from ramanujan.pages.taxicab import cache, other_bodies, other_targets
 from ramanujan.pages.taxicab.cache import PAPER
 from ramanujan.shell import address, sidebar, widgets
-from ramanujan.shell.display_mode import columns, folded, is_projector, picture_and_words, slide
+from ramanujan.shell.display_mode import columns, folded, hides, picture_and_words, slide
 from ramanujan.shell.sections.cubes import draw_stacks
 from ramanujan.translation import _, ngettext
 
@@ -20,8 +20,7 @@ FOLDED_PARAMETERS = ("k", "compression")
 
 def show() -> None:
     """Draw the page."""
-    with slide("in_step", _("In step")):
-        draw_condition()
+    draw_condition()
     title = _("The exact ratio to a thousand digits, and the fractions closest to it")
     folded("digits", title, draw_digits, expanded=address.current(DIGITS) != DIGITS.default)
     with slide("cubes", _("Two stacks of cubes")):
@@ -33,9 +32,12 @@ def show() -> None:
 
 def draw_condition() -> None:
     """Draw the story of the taxicab, and the unit condition as algebra and on the curve. Other targets are folded."""
-    st.title(str(PAPER.discriminant), anchor=False)
+    condition = slide("in_step", _("In step"))
+    curve = condition if hides("curve", "numbers") else slide("curve", _("The curve"))
+    with condition:
+        st.title(str(PAPER.discriminant), anchor=False)
     words, figure = columns("in_step")
-    with words:
+    with condition, words:
         sentence = _(
             "G. H. Hardy found the number of his taxicab, {number}, rather dull. “No,” said Ramanujan: it is the "
             "smallest number that is a sum of two cubes in two different ways. Here the same number decides when two "
@@ -43,9 +45,6 @@ def draw_condition() -> None:
         )
         st.markdown(sentence.format(number=PAPER.discriminant))
         st.header(_("At which mass ratio is the machine exactly in step?"), anchor=False)
-    if is_projector():
-        figure, words = picture_and_words()
-    with words:
         st.markdown(
             _(
                 "The machine has the angular frequency $\\Omega$, a plain mass $m$ on the same spring $k$ has "
@@ -53,23 +52,27 @@ def draw_condition() -> None:
                 "matters: the mass of a lower roller divided by the mass of the others."
             )
         )
-    with figure:
+    with curve, figure:
         other_targets.draw_curve()
-    with words if is_projector() else figure:
+    with condition, figure:
         with st.skeleton(height=243):
             equations = cache.unit_equations()
         for line in equations:
             st.latex(line)
-    other_targets.draw_other_target()
+    with curve:
+        other_targets.draw_other_target()
 
 
 def draw_digits() -> None:
     """Draw the exact ratio with any number of digits, and its fractions for the workshop."""
-    decimals, fractions = st.columns([1, 2], gap="medium") if is_projector() else columns("ratios")
+    decimals, fractions = columns("ratios")
     with decimals:
-        count = widgets.count(DIGITS, _("Digits of ε after the decimal point"), step=10, width=330)
+        box, code = picture_and_words(1)
+        with box:
+            count = widgets.count(DIGITS, _("Digits of ε after the decimal point"), step=10, width=330)
         digits = number_theory.positive_root_digits(*PAPER.quadratic, count)
-        st.code(digits.replace(".", DECIMAL), language=None, wrap_lines=True)
+        with code:
+            st.code(digits.replace(".", DECIMAL), language=None, wrap_lines=True)
         sentence = _(
             "Computed with exact integers; the digits are cut off, not rounded. They never become periodic, because "
             "the square root of {number} is irrational."

@@ -12,7 +12,7 @@ from ramanujan.lesson.picture import draw_svg
 from ramanujan.lesson.worksheet import WorksheetQuestion, make_questions, set_in_a_row
 from ramanujan.numerals import filled
 from ramanujan.shell import address, drawings, messages, sidebar, theme, widgets, worksheet_keys
-from ramanujan.shell.display_mode import is_projector, picture_and_words, slide
+from ramanujan.shell.display_mode import floated, is_projector, slide
 from ramanujan.shell.parameters import PARAMETERS
 from ramanujan.shell.sections import exercise
 from ramanujan.translation import _, ngettext
@@ -106,7 +106,10 @@ def draw_options() -> tuple[str, str, int]:
         level = widgets.selectbox(LEVEL, _("Guidance"), width=280)
         if not is_projector():
             st.button(_("New worksheet with its key"), width="stretch", on_click=make_worksheet)
-        st.caption(_("Another name makes another worksheet. Print this page with Ctrl+P or Cmd+P, on A4 or Letter."))
+        if not is_projector():
+            st.caption(
+                _("Another name makes another worksheet. Print this page with Ctrl+P or Cmd+P, on A4 or Letter.")
+            )
         if has_key and not is_projector():
             st.caption(
                 _("The address of this page contains the key. Save it for yourself: *Copy link* leaves the key out.")
@@ -159,7 +162,7 @@ def draw_head(machine: Oscillator, paper: str, seed: str, calculation_numbers: l
     if paper == "questions" and not is_projector():
         lines = _("Name {line} Date {line} Points {line} of {points}")
         st.html(f"<p class='name' style='display:flex;gap:.4em'>{lines.format(line=_LINE, points=points)}</p>")
-    picture, words = picture_and_words()
+    picture, words = floated("model")
     values = ", ".join(parameter.equation(parameter.value) for parameter in PARAMETERS.values())
     with picture, st.container(key="worksheet_picture"):
         drawings.draw(
