@@ -24,6 +24,7 @@ READ = f"""[...{CUBES}.querySelectorAll("svg")].map((svg) => [...svg.querySelect
 def drawn(bare):
     drawn = bare()
     drawn.put(lambda: components.cubes(SUMS, ["twelve and one", "ten and nine"], ["first", "second"]))
+    next_frame(drawn.page)  # the stacks are drawn once they are visible
     return drawn.page
 
 

@@ -221,6 +221,9 @@ def check_killed_process(hall: deployed, tab: object, other: object) -> None:
     assert process_of(tab) == "second"
     assert slider(tab).input_value() == moved
     assert other.url == other_address
+    # The tests without a browser run later, with both processes.
+    hall.start("first")
+    hall.wait({"first"})
 
 
 def slider(tab: object) -> object:

@@ -161,7 +161,8 @@ def draw_whole_lesson(code: str) -> None:
             _share_of_right([(result.stop, vote)]) if vote else "–" for vote in (result.first, result.second)
         )
         rows.append((lesson.find_stop(result.stop).heading, first, second))
-    widgets.table(rows, key="learned")
+    # The letters of a long table are smaller on the wall (projector.css).
+    widgets.table(rows, key="learned_at_many" if len(revealed) > 8 else "learned")
 
 
 def _share_of_right(results: Sequence[tuple[str, Mapping[str, int]]]) -> str:
