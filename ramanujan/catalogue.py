@@ -1,8 +1,8 @@
 """Read a catalogue of translations and reject unusable translations.
 
-A translation without a slot, a formula or a Markdown mark of the English text is unusable. The app shows the English
-text instead, and `python -m tests.catalogue` lists the message. A fuzzy translation, whose English text was edited
-later, is usable.
+A translation that lacks or adds a slot, a formula or a Markdown mark is unusable. The app shows the English text
+instead, and `python -m tests.catalogue` lists the message. A fuzzy translation, whose English text was edited later, is
+usable.
 """
 
 import gettext
@@ -94,7 +94,7 @@ def _count_fixed_parts(text: str) -> Counter[str]:
 
 
 def _join_fixed_parts(parts: Counter[str]) -> str:
-    """List formulas, slots and marks for a sentence, each once."""
+    """Return the parts, each once, as a list for the sentence of `difference`."""
     return ", ".join(part.replace("\n", "a line break") for part in parts)
 
 

@@ -5,7 +5,7 @@ contact slips; the motion after a slip is not modelled.
 
                                                    ___
                                                   / | \      top cylinder, angle Φ
-        ← −2kRφ                                   \_|_/
+        −2kRφ →                                   \_|_/
      [=========== slab ===========]/\/\/|       f →            T, F, f   horizontal forces ON a rolling body,
            T →           T →            |                                right positive
             ___           ___           |                      L         distance between the axes, ≥ 2R
@@ -267,7 +267,7 @@ def _force_coefficients(oscillator: Oscillator) -> dict[str, float]:
 def _load_coefficients(
     oscillator: Oscillator, on_hoop: FloatOrArray, on_cylinder: FloatOrArray
 ) -> dict[str, FloatOrArray | float]:
-    """Return the load of each contact divided by mg, from the loads of the slab on hoop and cylinder over mg."""
+    """Return load/mg of each contact, given the slab's load/mg on the hoop and on the cylinder."""
     return {
         "hoop_slab": on_hoop,
         "cylinder_slab": on_cylinder,

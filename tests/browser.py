@@ -227,7 +227,7 @@ def inside(page: Page, expression: str) -> object:
     return page.evaluate(f"(() => {{ const root = {STAGE}; return {expression}; }})()")
 
 
-def slab_over_block(page: Page) -> float:
+def drawn_deformation(page: Page) -> float:
     """Return the deformation of the spring as drawn [cm]."""
     place = "(name) => root.querySelector('.moving ' + name).transform.baseVal[0].matrix.e"
     slab, block = inside(page, f"['.slab', '.block'].map({place})")

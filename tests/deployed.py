@@ -85,7 +85,7 @@ class deployed:  # noqa: N801 (reads as a sentence: with deployed(2) as hall)
     def wait(self, names: set[str], seconds: float = 90) -> None:
         """Wait until the proxy's cookies show that visitors reach each of these processes."""
         seen, end = set(), time.monotonic() + seconds
-        while seen < names:
+        while not names <= seen:
             if time.monotonic() > end:
                 raise RuntimeError(f"the proxy sends nobody to {', '.join(names - seen)}")
             with contextlib.suppress(OSError), urllib.request.urlopen(self.address, timeout=5) as answer:

@@ -54,7 +54,7 @@ class Network:
         self._call(self._break())
 
     def up(self, killed: bool = False) -> None:
-        """Accept connections again. After `killed`, the server does not know the sessions of the pages."""
+        """Accept connections again. With `killed`, remove the session's id, so that the server begins new sessions."""
         self._up, self._killed = True, killed
 
     async def _listen(self) -> asyncio.Server:

@@ -185,7 +185,7 @@ def check_size_of_a_change(page) -> None:
 
 
 def check_ring(page) -> None:
-    """Check that both rings mark the present machine and follow a drag without the server, also out of the inset."""
+    """Check that both rings mark the present machine and follow a drag without the server. The inset has an end."""
     ring, in_inset = (f".st-key-curve .present-machine >> nth={i}" for i in (0, 1))
     equal, unit = (POINT.format(i) for i in (4, 5))
     # Plotly's marks are at equal masses and at the unit ratio. The star is not centred in its box.

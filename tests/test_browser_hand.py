@@ -2,7 +2,7 @@
 
 import pytest
 
-from tests.browser import next_frame, slab_over_block
+from tests.browser import drawn_deformation, next_frame
 from tests.engines import ANY_ENGINE
 from tests.picture import Picture
 
@@ -102,7 +102,7 @@ def test_the_slider_follows_the_dragged_slab_and_sends_its_last_value(picture):
     assert slider(picture) == pytest.approx(5, abs=0.11)
     assert drawn(picture) == slider(picture)
     picture.page.wait_for_timeout(500)
-    assert slab_over_block(picture.page) == pytest.approx(5, abs=0.1)
+    assert drawn_deformation(picture.page) == pytest.approx(5, abs=0.1)
     assert f"x₀ = {slider(picture):.1f}" in note(picture)
     assert picture.bare.sent == []
     assert let_go(picture) == slider(picture) == pytest.approx(5, abs=0.11)
@@ -112,22 +112,22 @@ def test_the_slider_follows_the_dragged_slab_and_sends_its_last_value(picture):
 @ANY_ENGINE
 def test_the_slab_is_elastic_beyond_its_bounds_and_a_note_explains_it(picture):
     take_slab(picture, 9)
-    assert 12.5 < slab_over_block(picture.page) < 14
+    assert 12.5 < drawn_deformation(picture.page) < 14
     assert "between 0.5\u202fcm and 12\u202fcm" in note(picture)
     assert "12\u202fcm when you let go" in note(picture)
     assert let_go(picture) == 12
     next_frame(picture.page)
-    assert slab_over_block(picture.page) == pytest.approx(12, abs=0.02)
+    assert drawn_deformation(picture.page) == pytest.approx(12, abs=0.02)
 
 
 @ANY_ENGINE
 def test_escape_cancels_a_drag_and_undo_restores_the_last_compression(picture):
     press(picture, "forward")
-    before = slab_over_block(picture.page)
+    before = drawn_deformation(picture.page)
     take_slab(picture, -4)
     picture.page.keyboard.press("Escape")
     next_frame(picture.page)
-    assert slab_over_block(picture.page) == pytest.approx(before, abs=0.01)
+    assert drawn_deformation(picture.page) == pytest.approx(before, abs=0.01)
     assert slider(picture) == 8
     picture.page.mouse.up()
     picture.page.wait_for_timeout(300)
@@ -156,7 +156,7 @@ def test_a_lost_capture_ends_the_drag(picture):
     picture.page.mouse.move(x - 100, y)
     picture.page.mouse.move(x - 150, y)
     assert sent(picture) == pytest.approx(6, abs=0.1)
-    assert slab_over_block(picture.page) == pytest.approx(6, abs=0.1)
+    assert drawn_deformation(picture.page) == pytest.approx(6, abs=0.1)
     picture.page.mouse.up()
 
 
@@ -166,7 +166,7 @@ def test_home_and_end_and_arrows_move_the_slab(picture):
     for key, value in (("Home", 0.5), ("End", 12.0), ("ArrowLeft", 11.5), ("PageDown", 9.0)):
         picture.page.keyboard.press(key)
         next_frame(picture.page)
-        assert slab_over_block(picture.page) == pytest.approx(value, abs=0.01)
+        assert drawn_deformation(picture.page) == pytest.approx(value, abs=0.01)
         shown = picture.find("root.querySelector('.moving .body.slab').getAttribute('aria-valuenow')")
         assert float(shown) == pytest.approx(value)
     picture.page.wait_for_function("sent.at(-1)?.at(-1) === 9")

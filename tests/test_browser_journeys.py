@@ -11,7 +11,7 @@ import pytest
 from PIL import Image
 
 from ramanujan import UNIT_MASS_RATIO, Oscillator
-from tests.browser import STAGE, inside, next_frame, script, slab_over_block
+from tests.browser import STAGE, drawn_deformation, inside, next_frame, script
 from tests.test_browser_print import CUT
 
 BOTH = pytest.mark.parametrize("engine", ["firefox", "webkit"])
@@ -104,7 +104,7 @@ def test_first_page_drag_type_drag_the_slab_and_bring_both_into_step(at):
     page.mouse.down()
     page.mouse.move(place["x"] - 60, place["y"], steps=5)
     next_frame(page)
-    drawn = slab_over_block(page)
+    drawn = drawn_deformation(page)
     assert drawn == pytest.approx(page.evaluate("ramanujan.last('drawn/oscillator').parameters.compression") * 100)
     assert drawn < 7
     page.mouse.up()

@@ -7,7 +7,7 @@ from ramanujan import Oscillator, motion, released
 from ramanujan.contact import contact_forces, normal_forces
 from ramanujan.derivation.energies import PARTS
 from ramanujan.pages.motion import cache
-from tests.browser import inside, next_frame, settle, slab_over_block, traffic
+from tests.browser import drawn_deformation, inside, next_frame, settle, traffic
 
 PLOT = ".js-plotly-plot .nsewdrag"
 MARK = ".js-plotly-plot .time-cursor"
@@ -140,7 +140,7 @@ def check_dragged_cursor(page):
     slider = page.get_by_label("Time cursor")
     slider.fill("0.25")  # half a period of the two shown: the spring is stretched by 8 cm
     next_frame(page)
-    assert slab_over_block(page) == pytest.approx(-8, abs=0.02)
+    assert drawn_deformation(page) == pytest.approx(-8, abs=0.02)
     sent = len(traffic(page).sent)
     page.get_by_role("button", name="Steps, speed, view").click()
     page.get_by_role("button", name="Step forward").click()
@@ -151,7 +151,7 @@ def check_dragged_cursor(page):
     panel = page.locator(PLOT).first.bounding_box()
     page.mouse.click(panel["x"] + 0.5 * panel["width"], panel["y"] + 20)
     next_frame(page)
-    assert slab_over_block(page) == pytest.approx(8, abs=0.1)
+    assert drawn_deformation(page) == pytest.approx(8, abs=0.1)
     line = page.locator(".time-cursor").first.bounding_box()
     x, y = line["x"] + line["width"] / 2, line["y"] + line["height"] / 2
     page.mouse.move(x, y)
@@ -159,7 +159,7 @@ def check_dragged_cursor(page):
     page.mouse.move(x + panel["width"] / 4, y, steps=5)
     page.mouse.up()
     next_frame(page)
-    assert slab_over_block(page) == pytest.approx(-8, abs=0.1)
+    assert drawn_deformation(page) == pytest.approx(-8, abs=0.1)
     assert float(slider.input_value()) == pytest.approx(0.75, abs=2e-3)
     assert len(traffic(page).sent) == sent
 
@@ -243,7 +243,7 @@ def check_edge(page):
     assert top - block == pytest.approx(place, abs=0.05)
     slider.fill("0")
     next_frame(page)
-    assert slab_over_block(page) == pytest.approx(8, abs=0.02)
+    assert drawn_deformation(page) == pytest.approx(8, abs=0.02)
 
 
 def test_the_csv_is_the_motion_shown(visit, tmp_path):

@@ -52,15 +52,17 @@ def touching(sheet: PdfPage) -> list[str]:
         if right > left:
             glyphs.append((top, bottom, left, right, baseline.value, place))
     glyphs.sort(reverse=True)
-    lines = []
-    for i, (_, bottom, left, right, line, place) in enumerate(glyphs):
-        for top, _, start, end, below, other in glyphs[i + 1 :]:
+    pairs = []
+    for i, (_, bottom, left, right, baseline, place) in enumerate(glyphs):
+        for top, _, other_left, other_right, other_baseline, other in glyphs[i + 1 :]:
             if top < bottom - CLOSEST:
                 break
-            # Accents, indices and powers are close to their own letters, on the paper or in the text.
-            if line - below > 4 and abs(place - other) > 9 and min(right, end) > max(left, start):
-                lines.append(f"{text.get_text_range(place, 9)} is too close to {text.get_text_range(other, 9)}")
-    return lines
+            # Not counted: accents, indices and powers. Their baseline is within 4 points of that of their letter, or
+            # they are within 9 characters of it.
+            overlap = min(right, other_right) > max(left, other_left)
+            if baseline - other_baseline > 4 and abs(place - other) > 9 and overlap:
+                pairs.append(f"{text.get_text_range(place, 9)} is too close to {text.get_text_range(other, 9)}")
+    return pairs
 
 
 def filled(sheet: PdfPage) -> float:

@@ -143,6 +143,7 @@ class Keyboard:
 
     def press(self, keys: str) -> None:
         """Press a key, such as ArrowLeft, a or Control+z."""
+        # A plus at the end is itself the key.
         *modifiers, key = map(_character, re.split(r"\+(?=.)", keys))
         chain = ActionChains(self.driver, duration=0)
         for modifier in modifiers:

@@ -70,7 +70,7 @@ def eigen_solvers() -> list[EigenSweep]:
 
 
 # Matrix that converts the displacements of block, slab and top cylinder relative to the ground, right positive, to
-# q = (X, φ, Φ), for R = 1.
+# q = (X, φ, Φ), for R = 1. Its entries are exact as float32, which does not change the precision of a product.
 _Q_FROM_GROUND = np.array([[-1, 0, 0], [-0.5, 0.5, 0], [-1, 0, 1]], dtype=np.float32)
 
 

@@ -104,7 +104,7 @@ def work_precision(
     array([201])
     """
     if previous is None:
-        previous = _release(np.unique(steps_per_period), method, dtype)
+        previous = _start_runs(np.unique(steps_per_period), method, dtype)
     steps, error = previous.steps_per_period, previous.error.copy()
     remaining_steps = steps * (periods - previous.periods)
     h = _bracket_time_steps(steps, dtype)
@@ -136,8 +136,8 @@ def work_precision(
     )
 
 
-def _release(steps: np.ndarray, method: str, dtype: str) -> WorkPrecision:
-    """Return runs without any step, at release."""
+def _start_runs(steps: np.ndarray, method: str, dtype: str) -> WorkPrecision:
+    """Return the runs at t = 0, before their first step: q = 1, v = 0."""
     ends = np.ones((2, steps.size), dtype), np.zeros((2, steps.size), dtype)
     return WorkPrecision(
         method=method,
@@ -153,7 +153,8 @@ def _release(steps: np.ndarray, method: str, dtype: str) -> WorkPrecision:
 def _bracket_time_steps(steps: np.ndarray, dtype: str) -> np.ndarray:
     """Return two time steps for each run, shape (2, runs), that enclose hΩ of all machines.
 
-    Each machine rounds h and Ω², so the relative error of its hΩ is up to ¾ of the machine epsilon.
+    Each machine rounds h and Ω², so the relative error of its hΩ is up to ½ + ¼ of the machine epsilon, at most 1½
+    spacings of h. The rounding of h itself adds ½.
     """
     h = (2 * np.pi / steps).astype(dtype)
     margin = 2 * np.spacing(h)
@@ -161,7 +162,7 @@ def _bracket_time_steps(steps: np.ndarray, dtype: str) -> np.ndarray:
 
 
 def _largest_error(q: np.ndarray, v: np.ndarray, exact: np.ndarray, error_kind: str) -> np.ndarray:
-    """Return the largest error of each run in a block, over all steps and both time steps.
+    """Return the largest error of each run in a block, over all rows and both time steps of each run.
 
     Parameters
     ----------

@@ -154,7 +154,7 @@ class _Reader:
         """
         first = self.factor()
         factors, shown, unbracketed = [first.value], first.shown, first.unbracketed
-        # Whether it is clear if the next factor without a sign is above or below the last fraction line.
+        # Whether a next factor without * or / would clearly be above or below the last fraction line.
         is_unambiguous = True
         while self.next in ("*", "/") or self._starts_a_factor():
             sign = self.take() if self.next in ("*", "/") else ""

@@ -298,7 +298,7 @@ def solve(name: str, bodies: Machine, factors: Mapping[tuple[int, int], int] = M
     if name == "top_coupling":
         return _quotient(Phi_entry, phi_entry, sp.S.One)
     if name == "phi_equation":
-        # The question writes the last term of the equation as 4kRφ.
+        # The answer is the factor of φ̈ if the last term is 4kRφ, instead of the stiffness times φ.
         return _quotient(4 * matrix[1][1], stiffness, m * R)
     if name in ("unit_quadratic", "unit_mass_ratio"):
         return _solve_condition(name, stiffness * phi_entry)

@@ -93,7 +93,7 @@ class Question:
 
     @property
     def hints(self) -> tuple[str, ...]:
-        """The next question, then the reasons of the steps, Markdown with $…$; none contains the answer."""
+        """The lecturer's next question, then the reasons of the steps, Markdown with $…$; none contains the answer."""
         return (self.next_question, *(_find_step(key).reason for key in self.steps))
 
     def evaluate(self, formula: sp.Expr) -> Values:

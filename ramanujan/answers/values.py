@@ -1,9 +1,10 @@
 """The values of a typed formula at three points, to 1,200 digits, and its unit.
 
 Two formulas count as equal if they agree at all `POINTS`, whose coordinates have twelve random digits. By the lemma of
-Schwartz and Zippel, two different rational formulas of degree 120 agree there with a probability below 1e-29. The
-product of a hundred coordinates has 1,200 digits. So two different fractions whose numerators and denominators have
-fewer names also differ within the digits of a value.
+Schwartz and Zippel, two different rational formulas of degree 120 agree there with a probability below
+(240/(9·10¹¹))³ < 1e-28, where 240 is the degree of the equation between them. The product of a hundred coordinates has
+1,200 digits. So two different fractions also differ within the digits of a value, if a numerator and a denominator
+together have fewer names.
 """
 
 import random
@@ -87,7 +88,7 @@ def _draw_points() -> tuple[dict[sp.Expr, PreciseNumber], ...]:
     points = []
     for sign in (1, -1, 1):
         values = {name: source.randrange(10**11, 10**12) for name in SYMBOLS if name != "eps"}
-        # A negative velocity distinguishes √(X′²) from X′.
+        # A negative X′ distinguishes √(X′²) from X′; φ′ stays positive, so X′φ′ is negative, too.
         for name in values:
             if name in MOTION and "phi" not in name:
                 values[name] *= sign
@@ -180,7 +181,7 @@ def compute_rounding_error(expression: sp.Expr, target: Values) -> PreciseNumber
     """Return the rounding error of a decimal in the formula, in units of its last digit.
 
     The exact number makes the formula equal to the target at all points. Return None if no such number exists within
-    one and a half units. A number that fits into the typed digits does not count: 0.6 for ½ is not a rounding error.
+    one and a half units, or if the exact number fits into the typed digits: 0.6 for ½ is wrong, not rounded.
     """
     for decimal in find_decimals(expression):
         _whole, _point, places = decimal.name.partition(".")

@@ -18,7 +18,7 @@ from ramanujan.translation import _
 
 @ROUTES.add("euler_lagrange")
 def build(bodies: model.Machine) -> Route:
-    """Return the route in the paper's order; at equal masses it ends close to the plain mass, not at a condition."""
+    """Return the route in the paper's order. At equal masses its last step only compares Ω²m/k with 1."""
     result = eliminate(bodies)
     frequency = result.natural_frequency_squared
     ending = unit_steps(result) if frequency.has(m_prime) else (close_to_one_step(frequency * m / k),)
@@ -122,12 +122,14 @@ def _elimination_step(result: Elimination) -> Step:
 def _insertion_step(result: Elimination) -> Step:
     spring = result.motion[phi].coeff(phi)
     numerator, terms = result.quotient
+    # The equation of φ is the common number times the terms times φ̈, plus the spring's term.
+    common_number = spring / numerator
     return step(
         "insertion",
         _("Insert the block’s acceleration"),
         _("Insert $\\ddot X$ into the equation of $\\varphi$ and divide by the factor of $\\ddot\\varphi$."),
         equation(result.inserted, sp.S.Zero),
-        equation(in_order(spring / numerator * in_order(*terms) * phi_ddot, spring * phi), sp.S.Zero),
+        equation(in_order(common_number * in_order(*terms) * phi_ddot, spring * phi), sp.S.Zero),
         equation(in_order(phi_ddot, numerator / in_order(*terms) * phi), sp.S.Zero),
         equation(in_order(phi_ddot, result.natural_frequency_squared * phi), sp.S.Zero),
         marks=("left 1, left 2", "left 1", "left 2", "left 2"),

@@ -1,7 +1,7 @@
 """The present masses as exact numbers, for a derivation with numbers.
 
 A float is converted to the entered number: 0.1 to 1/10, and the float nearest to 5/6 to 5/6. If m′ is the float nearest
-to ε*m, it is converted to ε*m = (√1729 − 1)/36 · m. The result Ω² = k/m is then computed, not assumed.
+to m·ε*, it is converted to m·ε* = m(√1729 − 1)/36. The result Ω² = k/m is then computed, not assumed.
 """
 
 from dataclasses import dataclass, fields, replace
@@ -158,7 +158,7 @@ def _is_number(expression: sp.Basic) -> bool:
 
 
 def is_unit_ratio(mass: float, roller_mass: float) -> bool:
-    """Return whether m′ is the float nearest to ε*m, or the product of m and the float nearest to ε*.
+    """Return whether m′ is the float nearest to m·ε*, or the product of m and the float nearest to ε*.
 
     These two floats differ by at most two units in the last place. Also return True if m is m′/ε*, rounded.
 

@@ -35,6 +35,8 @@ CONSTANTS = ("k", "m", "M", "I", "R")
 
 DERIVATIVES = {"a": 2, "alpha": 2, "v": 1, "p": 1, "S": -1, "F": -1}
 """The order of a letter as a time derivative. Friction forces come after the coordinates."""
+_NO_VARIABLE = -2
+"""An order below all others: terms without a variable come last."""
 
 Key = tuple[Any, ...]
 _LETTER_RANK = {letter: rank for rank, letter in enumerate(LETTERS)}
@@ -157,7 +159,7 @@ def _term_key(term: sp.Expr) -> Key:
         times = int(power) if power.is_Integer else 1
         (variables if _is_variable(base) else constants).extend([base] * times)
     variable_keys = [_factor_key(base) for base in variables]
-    highest_derivative = max(map(_derivative_order, variables), default=-len(LETTERS))
+    highest_derivative = max(map(_derivative_order, variables), default=_NO_VARIABLE)
     has_bracket = any(base.is_Add for base in variables)
     is_mixed_product = len(set(variable_keys)) > 1
     return (

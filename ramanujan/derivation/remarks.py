@@ -178,8 +178,8 @@ def _solves(spectrum: Modes, motion: tuple[sp.Expr, ...]) -> bool:
 def _smallest_in_two_ways(*, allows_negative: bool) -> tuple[int, list[tuple[int, int]]]:
     """Return the smallest positive number with two representations a³ + b³, and both representations.
 
-    With `allows_negative`, a and b may be negative. The search is complete up to 1729: the smallest positive a³ + b³
-    with a < −23 is 25³ − 24³ = 1801, and 13³ is greater than 1729, too.
+    With `allows_negative`, a and b may be negative. The search is complete up to 1729: with a number below −23, the sum
+    is at least 25³ − 24³ = 1801. Without negative numbers, 13³ is greater than 1729.
     """
     cubes = [a for a in range(-24 if allows_negative else 1, 26) if a != 0]
     ways: dict[int, list[tuple[int, int]]] = {}

@@ -230,7 +230,7 @@ def align(rows: Sequence[Row], width: int, gap: str = ".5em", room: float = math
     rows : the rows
     width : characters of a right side that fit into a line
     gap : space between equations
-    room : the largest number of characters of an equation with its operation beside it instead of below
+    room : an operation is beside an equation of at most so many characters, otherwise below it
     """
     left_width = measure_left_sides(rows)
     if any(row.right == "0" for row in rows):

@@ -119,6 +119,7 @@ def _curve_labels(curve: FrequencyCurve, ends: list[float], colors: Mapping[str,
     beside = {"xanchor": "left", "yanchor": "bottom", "xshift": 6, "yshift": 3, "align": "left"}
     in_inset = beside | {"xref": "x2", "yref": "y2"}
     at_end = {"xanchor": "right", "xshift": -6}
+    # On the panel's logarithmic axis the coordinate of a text is a logarithm; the axes of the inset are linear.
     return [
         note(light, None, np.log10(ends[0]), curve.light_limit) | beside,
         note(heavy, None, np.log10(ratios[free_index]), heavy_limit[free_index]) | beside,
@@ -145,7 +146,7 @@ def _inset_shapes(ends: list[float], highest: float, unit: float, colors: Mappin
     in_step = {"type": "line", "line": dashed, "layer": "below", "x0": 0, "x1": 1, "y0": unit, "y1": unit}
     domains = {"xref": "x domain", "yref": "y domain"}
     thin = {"line": {"color": colors["ink"], "width": 1}, "opacity": 0.5} | domains
-    # Fractions of the panel, because a shape on a logarithmic axis has linear coordinates.
+    # The corners of the region as fractions of the panel, like those of the inset.
     start, end = (np.log([least, most]) - np.log(ends[0])) / (np.log(ends[1]) - np.log(ends[0]))
     region_bottom, region_top = low / highest, high / highest
     ground = {"type": "rect", "fillcolor": colors["paper"], "line": {"width": 0}, "layer": "below", "x0": 0, "x1": 1}

@@ -44,7 +44,7 @@ def draw_level_crossing(
         marks([root], [level], "star", 16, colors["top"]),
     ]
     left, right = float(ratios[0]), float(ratios[-1])
-    # The label avoids the falling curve: to the right above its flat start, to the left above its flat end or below it.
+    # The label avoids the falling curve: above its flat start, below its steep part, or above its flat end.
     at_start = root < left + 0.4 * (right - left)
     if at_start:
         offset, side = (22, -50), "left"

@@ -212,7 +212,7 @@ class Classes:
             second_vote = vote._replace(number=2)
             if (stop, second_vote) in students_present:
                 second = self._count_votes(code, stop, second_vote, options)
-                # The result was shown to the students of the second vote.
+                # Count the students who saw the result, after the second vote.
                 present = students_present[stop, second_vote]
             results.append(ClassResult(stop=stop, at=at, present=present, first=first, second=second))
         return results

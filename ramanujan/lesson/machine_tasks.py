@@ -76,7 +76,7 @@ def judge_half_way(attempt: Attempt) -> TaskVerdict:
 
 
 def judge_parting(attempt: Attempt) -> TaskVerdict:
-    """Judge the number of periods of the plain mass until the hands are one full turn apart."""
+    """Judge the number of periods of the plain mass until both clock hands are one full turn apart."""
     gained = abs(math.sqrt(attempt.machine.normalized_frequency_squared) - 1)
     periods = 1 / gained if gained else math.inf
     if periods > 1e6:

@@ -72,7 +72,7 @@ def make_questions(machine: Oscillator, seed: str, level: int = 1) -> tuple[Work
     machine : the machine of the calculations
     seed : any text; it selects the stops, the order of their options, and the target frequency
     level : how much of the derivation is left to complete: 1, one equation in each step; 2, all equations of a step;
-        3, the whole step without its reason
+        3, all equations of a step, without the reason as a hint
 
     >>> sheet = make_questions(Oscillator(), "1")
     >>> sheet == make_questions(Oscillator(), "1")
@@ -136,7 +136,7 @@ def _make_prediction(stop: Stop, source: random.Random) -> WorksheetQuestion:
 def _make_calculations(machine: Oscillator, target: Fraction) -> tuple[WorksheetQuestion, ...]:
     """Return the questions about this machine, with exact answers.
 
-    Each question has a fixed number of lines, from which its points follow: they must not depend on the numbers.
+    Each question has a fixed `space`, from which its points follow: they must not depend on the numbers.
     """
     values = Numbers.of(machine).exact
     ratio = sp.radsimp(values[m_prime] / values[m])

@@ -249,6 +249,6 @@ def _make_coprime(*coefficients: Fraction) -> integers.Quadratic:
 
 
 def _count_changed_bodies(machine: BodyChoice, paper: BodyChoice) -> int:
-    """Return the number of different bodies in two machines; the order of the lower rollers does not matter."""
+    """Return how many bodies differ from those of the paper; the order of the lower rollers does not matter."""
     changed_rollers = Counter([machine.left, machine.right]) - Counter([paper.left, paper.right])
     return changed_rollers.total() + (machine.top != paper.top)

@@ -305,7 +305,7 @@ def _check_positive_root(a: int, b: int, c: int) -> Quadratic:
 
 
 def _check_coefficients(a: int, b: int, c: int) -> Quadratic:
-    """Return a, b, c; raise ValueError if one of them is not an integer in the range."""
+    """Return a, b, c; raise ValueError unless they are integers up to ±LARGEST_COEFFICIENT, and a ≠ 0."""
     bound = LARGEST_COEFFICIENT
     a = integer("a", a, -bound, bound)
     b = integer("b", b, -bound, bound)

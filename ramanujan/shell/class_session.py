@@ -100,7 +100,10 @@ def wall_code() -> str | None:
 
 
 def find_phase(stop: Stop) -> Phase | None:
-    """Return the phase of a stop in the class; None if this is not the lecturer’s session."""
+    """Return the phase of a stop in the class; None if this is not the lecturer’s session.
+
+    A stop that was not asked yet, or whose class has ended, is in the first phase.
+    """
     key = lecturer_key()
     if key is None:
         return None

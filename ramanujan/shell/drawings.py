@@ -63,5 +63,6 @@ def draw(svg: str, *, alt: str, style: str) -> None:
     style : CSS rules for its position and size
     """
     source = f"data:image/svg+xml;base64,{b64encode(svg.encode()).decode()}"
-    style = f"object-fit:contain;{style}"  # Streamlit only scales down; WebKit assumes a small size
+    # Streamlit's rule never enlarges an image, and WebKit assumes a small size for an SVG.
+    style = f"object-fit:contain;{style}"
     st.markdown(f'<img alt="{alt}" src="{source}" style="{style}">', unsafe_allow_html=True)

@@ -55,7 +55,7 @@ class Page:
         return self._attribute("URL_PARAMETERS", ())
 
     def draw_header(self) -> bool:
-        """Draw the controls at the top of the page, if it has any. Return False if the sidebar has to draw them.
+        """Draw the sliders and presets at the top of the page, and return True; False if the sidebar has to draw them.
 
         Call it outside of the page's script: Streamlit deletes the widgets of a script when another page opens.
         """

@@ -17,8 +17,8 @@ The topics of the bus, where NAME is the name of a stage, CLOCK of a clock, and 
     machine/NAME      the message of `stage.payload`; removed when the visitor leaves the page
     time/NAME         {time [s], phase [rad], periods, playing}, published by the stage in every frame with a change;
                       periods of the plain mass since both hands started together
-    story/NAME        seconds of a period of the plain mass during a story, in which the hands keep the angle between
-                      them; null ends the story
+    story/NAME        the duration of a period of the plain mass on the screen [s] while a story runs, null at its end;
+                      during a story a change of the machine keeps the angle between the hands
     drawn/NAME        {ratio, normalized, parameters}: ε, Ω²m/k and the machine as drawn, also during a drag
     seek/NAME         {time [s]}: a request to pause at this time
     view/CLOCK        the view of a class's desk, for all stages on this clock: `stage.VIEW`, with `ago`, its age [s],

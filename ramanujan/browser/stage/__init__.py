@@ -9,7 +9,9 @@ and JavaScript modules:
     parts                         hiding of parts
     clock                         the animation loop
     words                         sentences for the reader
-    slab, thumb                   input by pointer, keys and sliders
+    slab, live_values             input by pointer, keys and sliders
+    keeper, save                  the view in the address; the picture as a file
+    coordinates, terms, svg       coordinates of the picture; terms of a formula; elements of a picture
     toolbar                       the controls
     stage                         the connection of all these
 

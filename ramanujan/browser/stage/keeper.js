@@ -62,7 +62,7 @@ export function makeKeeper(stage, { clock: name, address_prefix: prefix, layers:
       active = true;
       writeLater();
     },
-    /** Update the address, if this keeper has written it before. */
+    /** Update the address if it contains this stage's view, because a person has changed the view or the address paused it. */
     update: () => active && stage.keeper.set(),
   };
 }

@@ -33,7 +33,10 @@ export const moment = (phase, time, { hides }) =>
 export function makeVoice(root, { compact, parts, signal }) {
   const node = root.querySelector(".note");
   let message = null, pace = "", described = "", announced = "";
-  const show = (sentence) => (node.textContent = (message = sentence) ?? pace);
+  const show = (sentence) => {
+    message = sentence;
+    node.textContent = message ?? pace; // without a note, the pace is shown
+  };
   const publish = (sentence, urgent) => compact || bus.publish("announce", { sentence, urgent });
   const fade = debounce(NOTE_TIME, () => show(null), signal);
   return {
@@ -41,7 +44,7 @@ export function makeVoice(root, { compact, parts, signal }) {
       show(sentence);
       fade();
     },
-    /** Show the factor of the real speed, unless it is the `speed` that the reader has chosen. */
+    /** Show how many times as fast as in reality the machine moves, unless the reader has chosen this factor as `speed`. */
     showPace(factor, speed) {
       const slow = parts.hides("numbers") ? WORDS.in_slow_motion : WORDS.slowed;
       pace = factor === speed ? "" : fill(factor < speed ? slow : WORDS.lapsed, { factor: number(factor, 2) });
@@ -54,7 +57,7 @@ export function makeVoice(root, { compact, parts, signal }) {
       announced = "";
       publish(sentence, false);
     },
-    /** Announce an event. With `once`, a repeated event, such as a collision, is announced only the first time. */
+    /** Announce an event. With `once`, a repeated event, such as a collision, is announced once after each description. */
     announce(sentence, once = false) {
       if (once && sentence === announced) return;
       if (once) announced = sentence;

@@ -52,7 +52,11 @@ def draw_answer(code: str, stop: Stop, vote: Vote) -> None:
 
     The wall has shown all votes before. Without the other options, the reasons fit in large letters.
     """
-    all_votes, changes = _result(code, stop.id, vote)
+    try:
+        all_votes, changes = _result(code, stop.id, vote)
+    except ClassError as error:
+        st.warning(str(error))
+        return
     mistake = find_commonest_mistake(code, stop, vote)
     with st.container(key="class_result"):
         _draw_changes(changes)

@@ -21,7 +21,7 @@ from ramanujan.translation import _
 
 # Two frequencies with a smaller relative difference are considered equal.
 _ROUNDING_ERROR = 1e-12
-# On a slide, at most so many lines of numbers are beside the equations.
+# The largest number of lines of numbers that a slide has beside its equations.
 _NUMBERS_BESIDE = 2
 
 

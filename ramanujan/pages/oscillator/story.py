@@ -67,8 +67,8 @@ def make_story(start: float) -> tuple[Scene, ...]:
     lighter = Scene(
         _("Lighter rollers: the machine falls behind more slowly."), _moving_ratios(start, UNIT_MASS_RATIO), 5
     )
-    # The hand loses turns while the rollers are heavy. Wait until the loss in both scenes is a whole number of turns,
-    # and at least one period.
+    # The hand loses turns while the rollers are heavy. The wait and the move together lose a whole number of turns, and
+    # the wait lasts at least one period.
     lost_per_period = -float(turns_gained(start))
     lost_in_move = -turns_in_scene(lighter)
     lost = math.ceil(lost_in_move + lost_per_period)

@@ -63,7 +63,7 @@ def draw_options() -> None:
 
 @st.fragment(key="bodies_machine")
 def publish_machine(chosen: list[str]) -> None:
-    """Publish the machine to the stage and the boxes of the sliders. A slider reruns only this fragment."""
+    """Publish the machine to the stage and the boxes of the sliders. A slider reruns it without the page."""
     left, right, top = (float(BODIES[body]) for body in chosen)
     stages.publish(
         stage.payload(

@@ -96,7 +96,10 @@ def uses_sidebar() -> bool:
 
 
 def draw_options() -> tuple[str, str, int]:
-    """Draw the options: worksheet, level, and with a key questions or answers. They are not printed."""
+    """Draw the options, which are not printed, and return paper, name and level.
+
+    If the address contains the answer key, the reader can choose between questions and answers.
+    """
     with st.container(horizontal=True, vertical_alignment="bottom", key="worksheet_choices"):
         has_key = worksheet_keys.fits(KEY, address.current(SEED))
         paper = "questions"
@@ -147,14 +150,14 @@ def make_worksheet() -> None:
 
 
 def draw_head(machine: Oscillator, paper: str, seed: str, calculation_numbers: list[int], points: int) -> None:
-    """Draw the title with the name of the worksheet, and the machine of the calculation_numbers.
+    """Draw the title with the name of the worksheet, and the machine of the calculations.
 
     Parameters
     ----------
-    machine : the machine of the calculation_numbers
+    machine : the machine whose values the calculations use
     paper : an option of `PAPER`
     seed : name of the worksheet
-    calculation_numbers : numbers of the questions that use the machine's values
+    calculation_numbers : the numbers of the questions that are calculations
     points : sum of the points of all questions
     """
     title = _("Ramanujan’s oscillator: key {seed}") if paper == "key" else _("Ramanujan’s oscillator: worksheet {seed}")
