@@ -84,7 +84,6 @@ def work_precision(
     """Return the error and the evaluations of one method for each number of steps per period.
 
     The error is an upper bound for all machines, because each run has two time steps that enclose hΩ of every machine.
-    All runs are computed together, as arrays.
 
     Parameters
     ----------
@@ -113,8 +112,7 @@ def work_precision(
     exact_states = np.concatenate([np.exp(2j * np.pi * np.arange(n) / n) for n in steps])
     first_index = np.cumsum(steps) - steps
     for step_numbers, q, v in run_in_blocks(METHODS[method], previous.ends, h, remaining_steps):
-        # The runs are sorted by their numbers of steps, so those that still run are the last ones.
-        running = slice(steps.size - q.shape[-1], None)
+        running = slice(steps.size - q.shape[-1], None)  # the last ones, because runs are sorted by their steps
         step_in_period = step_numbers[:, None] % steps[running]
         exact = exact_states[first_index[running] + step_in_period][:, None]
         with np.errstate(over="ignore", invalid="ignore"):
