@@ -58,7 +58,7 @@ class ClosedForm:
 
 
 def measure_chord_errors() -> dict[str, dict[int, float]]:
-    """Return the largest error of two curves that are drawn as straight lines between so many points.
+    """Return the largest error of two curves when straight lines join a number of their points.
 
     The curves are "cosine", one period of the cosine, and "frequency", Ω²m/k for 0 ≤ ε ≤ LARGEST_MASS_RATIO. Each is
     scaled to HEIGHT.

@@ -1,5 +1,6 @@
-"""The figures of the page 1729: the target on the Ω² curve, the 40 machines, and for each
-pair of lower rollers the number of discriminants that are sums of two cubes.
+"""The figures of the page 1729: the target on the Ω² curve, the 40 machines, and a count for each pair of rollers.
+
+The count is the number of discriminants that are sums of two cubes.
 """
 
 from collections.abc import Mapping, Sequence

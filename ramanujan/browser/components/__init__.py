@@ -2,7 +2,7 @@
 
     bus.js              messages between the components
     streamlit_dom.js    every selector into the pages of Streamlit and Plotly
-    page.css            style rules for all pages, and for all but the lesson's
+    page.css            style rules for all pages, and for single pages except the lesson's
     lesson.css          style rules for the lesson, its worksheet and its class
     sentences.js        templates of sentences, and notation of numbers
     lasting.js          observers and timers that end with their component

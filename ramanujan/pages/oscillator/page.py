@@ -237,6 +237,9 @@ def draw_equations(key: str, rows: Sequence[Row], width: int = cache.LINE_WIDTH)
 
 def draw_slides(steps: list[cache.SummaryStep]) -> None:
     """Draw each step of the route on a slide of the projector view, and many numbers on the next slide."""
+    from ramanujan.lesson.picture import draw_svg  # Imported late: the first page of a visitor does not need it.
+
+    machine = draw_svg(sidebar.oscillator(), sidebar.compression(), theme.paper_colors())
     for n, step in enumerate(steps, start=1):
         for index, detail in enumerate(step.steps):
             letter = "abc"[index] if len(step.steps) > 1 else ""
@@ -244,7 +247,7 @@ def draw_slides(steps: list[cache.SummaryStep]) -> None:
             name = f"step_{n}_{index + 1}" if index else f"step_{n}"
             rows = step.numbers if detail == step.steps[-1] else ()
             is_continued = len(rows) > _NUMBERS_BESIDE
-            with slide(name, title), beside_machine(name):
+            with slide(name, title), beside_machine(name, machine):
                 st.markdown(f"### {title}\n{detail.reason}")
                 with st.container(horizontal=True):
                     st.latex(detail.equations, width="content")
@@ -253,21 +256,20 @@ def draw_slides(steps: list[cache.SummaryStep]) -> None:
                             draw_numbers(n, rows, 24)
             if is_continued:
                 next_name = f"numbers_{n}"
-                with slide(next_name, _("{heading}, continued").format(heading=title)), beside_machine(next_name):
+                next_title = _("{heading}, continued").format(heading=title)
+                with slide(next_name, next_title), beside_machine(next_name, machine):
                     draw_numbers(n, rows)
 
 
-def beside_machine(name: str) -> AbstractContextManager[Any]:
+def beside_machine(name: str, machine: str) -> AbstractContextManager[Any]:
     """Draw the machine with its symbols at the right of a slide, and return the container at its left.
 
     Parameters
     ----------
     name : name of the slide
+    machine : the picture, as SVG
     """
-    from ramanujan.lesson.picture import draw_svg  # Imported late: the first page of a visitor does not need it.
-
     picture, words = display_mode.floated(name)
-    machine = draw_svg(sidebar.oscillator(), sidebar.compression(), theme.paper_colors())
     with picture:
         drawings.draw(machine, alt=_("The machine with its coordinates."), style="width:100%")
     return words
