@@ -17,14 +17,16 @@ r"""Ramanujan's oscillator: a machine whose frequency is √(k/m) exactly when m
                     rollers and that of the top cylinder, clockwise, so that they roll to the RIGHT over the block
     m, m′, k, R     masses [kg], stiffness [N/m], radius [m];   ε = m′/m is the mass ratio
     2Rφ             deformation of the spring, positive in compression;   x₀ its value at release
-    Ω               natural frequency [rad/s];   Ω²m/k = 8(7 + 6ε)/(18ε² + 49ε + 32)
+    Ω, T            natural frequency [rad/s], period [s];   Ω²m/k = 8(7 + 6ε)/(18ε² + 49ε + 32)
+    M_x             effective mass k/Ω² [kg], the mass that the spring feels
+    M, K            mass matrix, stiffness matrix
 
 The core is eight files of plain floating-point arithmetic. An `Oscillator` has four parameters: m, m′, k and R. An
 `InitialState` then determines the motion (q, q̇), which `motion` evaluates in closed form. Energies, momenta and contact
 forces are functions of the state (q, q̇). A record contains all of them as a table.
 
     file           equations of the paper                                      results
-    frequency      (8) 104/99, (12) Ω², (13) inverse, (14) ε*                  Ω²m/k over ε, ε for a given Ω²m/k
+    frequency      (8) Ω²m/k at ε = 1, (12) Ω², (13) inverse, (14) ε*          Ω²m/k over ε, ε for a given Ω²m/k
     oscillator     (9) L = ½q̇ᵀMq̇ − ½qᵀKq, (10) Mq̈ + Kq = 0, (11) mode shape    Ω, T, M_x, M and K of a machine
     motion         x = 2Rφ, (1) velocities, (11) and (12) integrated           q(t), q̇(t), motion of each body
     energy         (1) ½mv², ½Iω², ½kx²; (10a), (10b) momenta                  energies by body, p_X, p_Φ

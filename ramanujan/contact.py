@@ -59,12 +59,12 @@ def contact_forces(oscillator: Oscillator, q: ArrayLike) -> dict[str, NDArray[np
     Parameters
     ----------
     oscillator : the machine
-    q : (X, φ, Φ), shape (3, …t), from the closed form or an integrator; only φ is used
+    q : (X, φ, Φ), shape (3, …), from the closed form or an integrator; only φ is used
 
     Returns
     -------
-    dict of arrays of shape (…t). The keys hoop_slab, cylinder_slab, hoop_block, cylinder_block and top_block have the
-    force ON the rolling body, the key spring has the force on the slab. The reactions have the opposite sign.
+    dict of arrays of shape q.shape[1:]. The keys hoop_slab, cylinder_slab, hoop_block, cylinder_block and top_block
+    have the force ON the rolling body, the key spring has the force on the slab. The reactions have the opposite sign.
 
     Raises
     ------
@@ -95,13 +95,13 @@ def normal_forces(
     Parameters
     ----------
     oscillator : the machine
-    q : (X, φ, Φ), shape (3, …t), from the closed form or an integrator; only φ is used
+    q : (X, φ, Φ), shape (3, …), from the closed form or an integrator; only φ is used
     g : gravitational acceleration [m/s²]
     spacing : L, distance between the axes of hoop and lower cylinder [m]; for ∞ the loads are constant
 
     Returns
     -------
-    dict of arrays of shape (…t) with the keys of `required_friction`
+    dict of arrays of shape q.shape[1:] with the keys of `required_friction`
 
     Raises
     ------
@@ -178,7 +178,7 @@ def required_friction(
     amplitude = abs(finite("compression", compression)) / 2
     # The largest acceleration of the axes relative to the block, divided by g.
     relative_acceleration = oscillator.natural_frequency_squared * amplitude / positive("g", g)
-    ratios = _force_load_ratios(oscillator, amplitude, spacing)
+    ratios = _scaled_force_load_ratios(oscillator, amplitude, spacing)
     return {name: ratio * relative_acceleration for name, ratio in ratios.items()}
 
 
@@ -208,7 +208,7 @@ def first_to_slip(oscillator: Oscillator, compression: float = 0.0, spacing: flo
     ('top_block', 'hoop_slab')
     """
     amplitude = abs(finite("compression", compression)) / 2
-    ratios = _force_load_ratios(oscillator, amplitude, spacing)
+    ratios = _scaled_force_load_ratios(oscillator, amplitude, spacing)
     return max(ratios, key=ratios.__getitem__)
 
 
@@ -277,8 +277,11 @@ def _load_coefficients(
     }
 
 
-def _force_load_ratios(oscillator: Oscillator, amplitude: float, spacing: float) -> dict[str, float]:
-    """Return c/(n − sA/L) for each contact: its largest force/load in units of Ω²A/g."""
+def _scaled_force_load_ratios(oscillator: Oscillator, amplitude: float, spacing: float) -> dict[str, float]:
+    """Return the largest force/load of each contact in units of Ω²A/g.
+
+    This is c/(n − sA/L), with the coefficients c, n and s of the module docstring.
+    """
     L = _check_spacing(oscillator, 2 * amplitude, spacing)
     smaller_load = 1 / 2 - amplitude / L
     loads = _load_coefficients(oscillator, smaller_load, smaller_load)

@@ -24,12 +24,13 @@ def energies(oscillator: Oscillator, q: ArrayLike, q_dot: ArrayLike) -> dict[str
     Parameters
     ----------
     oscillator : the machine
-    q, q_dot : (X, φ, Φ) and its time derivative, each of shape (3, …t)
+    q, q_dot : (X, φ, Φ) and its time derivative, each of shape (3, …)
 
     Returns
     -------
     dict with the keys block_translation, hoop_translation, hoop_rotation, cylinder_translation, cylinder_rotation,
-    slab_translation, top_translation, top_rotation and spring, each of shape (…t); their sum is the total energy E
+    slab_translation, top_translation, top_rotation and spring, each of shape q.shape[1:]; their sum is the total
+    energy E
 
     Raises
     ------
@@ -65,11 +66,11 @@ def momenta(oscillator: Oscillator, q_dot: ArrayLike) -> dict[str, NDArray[np.fl
     Parameters
     ----------
     oscillator : the machine
-    q_dot : (Ẋ, φ̇, Φ̇), shape (3, …t)
+    q_dot : (Ẋ, φ̇, Φ̇), shape (3, …)
 
     Returns
     -------
-    dict with the keys p_X and p_Phi, each of shape (…t)
+    dict with the keys p_X and p_Phi, each of shape q_dot.shape[1:]
 
     Raises
     ------
@@ -90,11 +91,11 @@ def body_momenta(oscillator: Oscillator, q_dot: ArrayLike) -> dict[str, NDArray[
     Parameters
     ----------
     oscillator : the machine
-    q_dot : (Ẋ, φ̇, Φ̇), shape (3, …t)
+    q_dot : (Ẋ, φ̇, Φ̇), shape (3, …)
 
     Returns
     -------
-    dict with the keys block, hoop, cylinder, slab and top, each of shape (…t)
+    dict with the keys block, hoop, cylinder, slab and top, each of shape q_dot.shape[1:]
 
     Raises
     ------

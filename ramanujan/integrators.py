@@ -36,11 +36,11 @@ from numpy.typing import NDArray
 from ramanujan.translation import _
 from ramanujan.validation import float_array
 
-Runs: TypeAlias = float | NDArray[np.floating]
+PerRun: TypeAlias = float | NDArray[np.floating]
 """A float for a single run, or an array of any shape with one element for each independent run."""
 
-Acceleration: TypeAlias = Callable[[Runs], Runs]
-Step: TypeAlias = Callable[[Acceleration, Runs, Runs, Runs], tuple[Runs, Runs]]
+Acceleration: TypeAlias = Callable[[PerRun], PerRun]
+Step: TypeAlias = Callable[[Acceleration, PerRun, PerRun, PerRun], tuple[PerRun, PerRun]]
 
 _YOSHIDA_4_OUTER = 1 / (2 - 2 ** (1 / 3))
 YOSHIDA_4_WEIGHTS = (_YOSHIDA_4_OUTER, -(2 ** (1 / 3)) * _YOSHIDA_4_OUTER, _YOSHIDA_4_OUTER)
@@ -58,8 +58,8 @@ _SEARCH_STEP = 1 / 64
 """Increment of hΩ in the search for a bracket of a stability limit."""
 
 
-def explicit_euler(acceleration: Acceleration, q: Runs, v: Runs, h: Runs) -> tuple[Runs, Runs]:
-    """Advance by q ← q + hv and v ← v + ha(q), where both right sides contain the old values. [2] section I.7.
+def explicit_euler(acceleration: Acceleration, q: PerRun, v: PerRun, h: PerRun) -> tuple[PerRun, PerRun]:
+    """Advance by q ← q + h·v and v ← v + h·a(q), where both right sides contain the old values. [2] section I.7.
 
     >>> explicit_euler(lambda q: -q, 1.0, 0.0, 0.5)
     (1.0, -0.5)
@@ -67,8 +67,8 @@ def explicit_euler(acceleration: Acceleration, q: Runs, v: Runs, h: Runs) -> tup
     return q + h * v, v + h * acceleration(q)
 
 
-def symplectic_euler(acceleration: Acceleration, q: Runs, v: Runs, h: Runs) -> tuple[Runs, Runs]:
-    """Advance by v ← v + ha(q), then by q ← q + hv with the new velocity. [1] eq. (I.1.9).
+def symplectic_euler(acceleration: Acceleration, q: PerRun, v: PerRun, h: PerRun) -> tuple[PerRun, PerRun]:
+    """Advance by v ← v + h·a(q), then by q ← q + h·v with the new velocity. [1] eq. (I.1.9).
 
     >>> symplectic_euler(lambda q: -q, 1.0, 0.0, 0.5)
     (0.75, -0.5)
@@ -77,8 +77,8 @@ def symplectic_euler(acceleration: Acceleration, q: Runs, v: Runs, h: Runs) -> t
     return q + h * v, v
 
 
-def velocity_verlet(acceleration: Acceleration, q: Runs, v: Runs, h: Runs) -> tuple[Runs, Runs]:
-    """Advance by v_½ = v + ½ha(q), then q ← q + hv_½, then v ← v_½ + ½ha(q) with the new position.
+def velocity_verlet(acceleration: Acceleration, q: PerRun, v: PerRun, h: PerRun) -> tuple[PerRun, PerRun]:
+    """Advance by v_½ = v + ½h·a(q), then q ← q + h·v_½, then v ← v_½ + ½h·a(q) with the new position.
 
     Source: [1] eq. (I.1.17).
 
@@ -91,7 +91,7 @@ def velocity_verlet(acceleration: Acceleration, q: Runs, v: Runs, h: Runs) -> tu
     return q, v + half * acceleration(q)
 
 
-def rk4(acceleration: Acceleration, q: Runs, v: Runs, h: Runs) -> tuple[Runs, Runs]:
+def rk4(acceleration: Acceleration, q: PerRun, v: PerRun, h: PerRun) -> tuple[PerRun, PerRun]:
     """Advance (q, v)′ = (v, a(q)) by the classical Runge–Kutta method: weights 1/6, 1/3, 1/3, 1/6. [2] table II.1.2.
 
     >>> [round(x, 6) for x in rk4(lambda q: -q, 1.0, 0.0, 0.5)]
@@ -105,7 +105,7 @@ def rk4(acceleration: Acceleration, q: Runs, v: Runs, h: Runs) -> tuple[Runs, Ru
     return q + h / 6 * (v + 2 * (v_2 + v_3) + v_4), v + h / 6 * (a_1 + 2 * (a_2 + a_3) + a_4)
 
 
-def yoshida4(acceleration: Acceleration, q: Runs, v: Runs, h: Runs) -> tuple[Runs, Runs]:
+def yoshida4(acceleration: Acceleration, q: PerRun, v: PerRun, h: PerRun) -> tuple[PerRun, PerRun]:
     """Advance by velocity Verlet steps w₁h, w₀h and w₁h, where w₀ is negative. [3] eq. (2.11).
 
     >>> [round(x, 6) for x in yoshida4(lambda q: -q, 1.0, 0.0, 0.5)]
@@ -114,7 +114,7 @@ def yoshida4(acceleration: Acceleration, q: Runs, v: Runs, h: Runs) -> tuple[Run
     return _compose_verlet(YOSHIDA_4_WEIGHTS, acceleration, q, v, h)
 
 
-def yoshida6(acceleration: Acceleration, q: Runs, v: Runs, h: Runs) -> tuple[Runs, Runs]:
+def yoshida6(acceleration: Acceleration, q: PerRun, v: PerRun, h: PerRun) -> tuple[PerRun, PerRun]:
     """Advance by seven velocity Verlet steps wh with YOSHIDA_6_WEIGHTS; two of them are negative. [3] solution A.
 
     >>> [round(x, 6) for x in yoshida6(lambda q: -q, 1.0, 0.0, 0.5)]
@@ -123,11 +123,11 @@ def yoshida6(acceleration: Acceleration, q: Runs, v: Runs, h: Runs) -> tuple[Run
     return _compose_verlet(YOSHIDA_6_WEIGHTS, acceleration, q, v, h)
 
 
-def implicit_midpoint(acceleration: Acceleration, q: Runs, v: Runs, h: Runs) -> tuple[Runs, Runs]:
-    """Solve q_new = q + ½h(v + v_new) and v_new = v + ha(y) with the midpoint y = ½(q + q_new), for a linear a.
+def implicit_midpoint(acceleration: Acceleration, q: PerRun, v: PerRun, h: PerRun) -> tuple[PerRun, PerRun]:
+    """Solve q_new = q + ½h(v + v_new) and v_new = v + h·a(y) with the midpoint y = ½(q + q_new), for a linear a.
 
-    Elimination of q_new and v_new gives y = q + ½hv + ¼h²a(y). With a(y) = sy the solution is
-    y = (q + ½hv)/(1 − ¼h²s). The first evaluation gives the slope s = a(1), the second one a(y).
+    Elimination of q_new and v_new gives y = q + ½h·v + ¼h²·a(y). With a(y) = sy the solution is
+    y = (q + ½h·v)/(1 − ¼h²s). The first evaluation gives the slope s = a(1), the second one a(y).
 
     Source: [1] eq. (I.1.7); item 6 of the contract.
 
@@ -159,15 +159,17 @@ class Method:
     step: Step
 
 
-def trajectory(method: Method, acceleration: Acceleration, q: Runs, v: Runs, h: Runs) -> Iterator[tuple[Runs, Runs]]:
+def trajectory(
+    method: Method, acceleration: Acceleration, q: PerRun, v: PerRun, h: PerRun
+) -> Iterator[tuple[PerRun, PerRun]]:
     """Return an endless iterator over the states (q, v) after 1, 2, 3, … steps.
 
     Parameters
     ----------
     method : one of METHODS
     acceleration : a(q) [m/s² or rad/s²], see items 1, 2 and 6 of the contract
-    q, v : initial positions [m or rad] and velocities, both of the shape (…runs)
-    h : time step [s], a number or an array of shape (…runs)
+    q, v : initial positions [m or rad] and velocities, of the same shape, with one element for each run
+    h : time step [s], one number for all runs, or an array of the shape of q
 
     Returns
     -------
@@ -191,16 +193,17 @@ def trajectory(method: Method, acceleration: Acceleration, q: Runs, v: Runs, h: 
     return _iterate(method.step, _cache_last(acceleration), q, v, _convert_time_step(h, q))
 
 
-def _convert_runs(name: str, values: Runs) -> Runs:
+def _convert_runs(name: str, values: PerRun) -> PerRun:
     """Return finite floats or floating-point arrays: Python floats and float32 unchanged, other types as float64."""
     array = float_array(name, values)
     if isinstance(values, float):
         return values
-    runs: Runs = array[()]
+    # A NumPy scalar for an array without axes, otherwise the array itself.
+    runs: PerRun = array[()]
     return runs
 
 
-def _convert_time_step(h: Runs, q: Runs) -> Runs:
+def _convert_time_step(h: PerRun, q: PerRun) -> PerRun:
     """Convert the time step h to a type that preserves the dtype of q."""
     dtype = np.asarray(q).dtype.type
     if np.ndim(h) > 0:
@@ -209,7 +212,9 @@ def _convert_time_step(h: Runs, q: Runs) -> Runs:
     return dtype(h) if isinstance(q, np.floating) else float(h)
 
 
-def _iterate(step: Step, acceleration: Acceleration, q: Runs, v: Runs, h: Runs) -> Iterator[tuple[Runs, Runs]]:
+def _iterate(
+    step: Step, acceleration: Acceleration, q: PerRun, v: PerRun, h: PerRun
+) -> Iterator[tuple[PerRun, PerRun]]:
     while True:
         q, v = step(acceleration, q, v, h)
         yield q, v
@@ -217,10 +222,10 @@ def _iterate(step: Step, acceleration: Acceleration, q: Runs, v: Runs, h: Runs) 
 
 def _cache_last(acceleration: Acceleration) -> Acceleration:
     """Return a function that caches the last acceleration, and reuses it if it is called with the same object q."""
-    last_q: Runs | None = None
-    last_acceleration: Runs | None = None
+    last_q: PerRun | None = None
+    last_acceleration: PerRun | None = None
 
-    def cached_acceleration(q: Runs) -> Runs:
+    def cached_acceleration(q: PerRun) -> PerRun:
         nonlocal last_q, last_acceleration
         if last_acceleration is None or q is not last_q:
             last_q, last_acceleration = q, acceleration(q)
@@ -230,8 +235,8 @@ def _cache_last(acceleration: Acceleration) -> Acceleration:
 
 
 def _compose_verlet(
-    weights: Sequence[float], acceleration: Acceleration, q: Runs, v: Runs, h: Runs
-) -> tuple[Runs, Runs]:
+    weights: Sequence[float], acceleration: Acceleration, q: PerRun, v: PerRun, h: PerRun
+) -> tuple[PerRun, PerRun]:
     """Advance by one velocity Verlet step wh for each weight w."""
     for weight in weights:
         q, v = velocity_verlet(acceleration, q, v, weight * h)

@@ -131,7 +131,7 @@ def motion(
 
     Returns
     -------
-    q, q_dot : (X, φ, Φ) [m, rad, rad] and its time derivative, each of shape (3, …t)
+    q, q_dot : (X, φ, Φ) [m, rad, rad] and its time derivative, each of shape (3, *t.shape)
 
     Raises
     ------
@@ -178,12 +178,12 @@ def relative_positions(oscillator: Oscillator, q: ArrayLike) -> dict[str, NDArra
     Parameters
     ----------
     oscillator : the machine
-    q : (X, φ, Φ), shape (3, …t); displacements are measured from q = 0, where the spring is undeformed
+    q : (X, φ, Φ), shape (3, …); displacements are measured from q = 0, where the spring is undeformed
 
     Returns
     -------
-    dict with the keys hoop, cylinder, slab and top, each of shape (…t); the displacement of the slab is also the
-    compression of the spring
+    dict with the keys hoop, cylinder, slab and top, each of shape q.shape[1:]; the displacement of the slab is also
+    the compression of the spring
 
     Raises
     ------
@@ -203,11 +203,11 @@ def relative_velocities(oscillator: Oscillator, q_dot: ArrayLike) -> dict[str, N
     Parameters
     ----------
     oscillator : the machine
-    q_dot : (Ẋ, φ̇, Φ̇), shape (3, …t)
+    q_dot : (Ẋ, φ̇, Φ̇), shape (3, …)
 
     Returns
     -------
-    dict with the keys of `relative_positions`, each of shape (…t)
+    dict with the keys of `relative_positions`, each of shape q_dot.shape[1:]
 
     Raises
     ------
@@ -229,11 +229,11 @@ def ground_positions(oscillator: Oscillator, q: ArrayLike) -> dict[str, NDArray[
     Parameters
     ----------
     oscillator : the machine
-    q : (X, φ, Φ), shape (3, …t); displacements are measured from q = 0, where the spring is undeformed
+    q : (X, φ, Φ), shape (3, …); displacements are measured from q = 0, where the spring is undeformed
 
     Returns
     -------
-    dict with the keys block, hoop, cylinder, slab and top, each of shape (…t)
+    dict with the keys block, hoop, cylinder, slab and top, each of shape q.shape[1:]
 
     Raises
     ------
@@ -255,11 +255,11 @@ def ground_velocities(oscillator: Oscillator, q_dot: ArrayLike) -> dict[str, NDA
     Parameters
     ----------
     oscillator : the machine
-    q_dot : (Ẋ, φ̇, Φ̇), shape (3, …t)
+    q_dot : (Ẋ, φ̇, Φ̇), shape (3, …)
 
     Returns
     -------
-    dict with the keys of `ground_positions`, each of shape (…t)
+    dict with the keys of `ground_positions`, each of shape q_dot.shape[1:]
 
     Raises
     ------

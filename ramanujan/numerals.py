@@ -284,7 +284,7 @@ _WORD_FORMATS: dict[str, Callable[[int], str]] = {
     "alone": word_alone,
     "Alone": lambda count: _capital(word_alone(count)),
 }
-"""Format of a slot → function that writes its count."""
+"""Format of a slot → function that writes its count: before a noun (word), or without a noun (alone)."""
 
 
 class _SentenceFormatter(string.Formatter):

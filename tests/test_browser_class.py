@@ -349,7 +349,7 @@ def test_no_view_of_a_wall_is_cut_at_any_size(screen):
         shared().ask(opened.key, stop.id, list(stop.options))
         for number, option in enumerate(stop.options):
             shared().vote(shared().join(opened.code, f"voter-{number}"), stop.id, option)
-        shared().ask_again(opened.key)
+        shared().begin_second_vote(opened.key)
         look("asked again", stop.heading)
         for phase in (Phase.REVEALED, Phase.SOLVED):
             shared().show(opened.key, phase)

@@ -181,7 +181,7 @@ def test_the_distribution_is_hidden_until_it_is_revealed(school, opened):
 
     school.show(opened.key, Phase.REVEALED)
     assert school.read_distribution(opened.code, "faster") == {"machine": 1, "plain": 0, "neither": 0}
-    school.ask_again(opened.key)
+    school.begin_second_vote(opened.key)
     # The first vote is public. The second is hidden, also in the comparison.
     assert school.read_distribution(opened.code, "faster", FIRST) == {"machine": 1, "plain": 0, "neither": 0}
     for refused in (
@@ -195,7 +195,7 @@ def test_the_distribution_is_hidden_until_it_is_revealed(school, opened):
 def test_a_hidden_first_vote_is_revealed_with_the_second(school, opened):
     seat = school.join(opened.code)
     school.vote(seat, "faster", "plain")
-    school.ask_again(opened.key)
+    school.begin_second_vote(opened.key)
     with pytest.raises(ClassError, match="not been shown"):
         school.read_distribution(opened.code, "faster", FIRST)
     school.show(opened.key, Phase.REVEALED)
@@ -221,7 +221,7 @@ def test_first_and_second_vote_are_compared_student_by_student(school, opened):
             option = options[number - 1]
             if option:
                 school.vote(seat, "faster", option, Vote(1, number))
-        school.ask_again(opened.key) if number == 1 else school.show(opened.key, Phase.REVEALED)
+        school.begin_second_vote(opened.key) if number == 1 else school.show(opened.key, Phase.REVEALED)
     assert school.read_distribution(opened.code, "faster", FIRST) == {"machine": 2, "plain": 4, "neither": 2}
     assert school.read_distribution(opened.code, "faster", Vote(1, 2)) == {"machine": 5, "plain": 1, "neither": 2}
     changes = {(False, True): 3, (True, False): 1, (True, True): 1, (False, False): 2}
@@ -240,7 +240,7 @@ def test_an_answer_is_changed_until_the_reveal_and_a_late_one_is_refused_with_it
     assert answered(school, opened) == 1
     with pytest.raises(ClassError, match="no such answer"):
         vote(option="nobody")
-    school.ask_again(opened.key)
+    school.begin_second_vote(opened.key)
     with pytest.raises(ClassError, match="another vote has begun"):
         vote()
     assert chosen(school, seat) is None
@@ -254,14 +254,14 @@ def test_an_answer_is_changed_until_the_reveal_and_a_late_one_is_refused_with_it
     school.ask(opened.key, "faster", OPTIONS)
     assert astuple(school.read_question(opened.code))[:3] == ("faster", Vote(1, 2), Phase.REVEALED)
     with pytest.raises(ClassError, match="already voted twice"):
-        school.ask_again(opened.key)
+        school.begin_second_vote(opened.key)
 
 
 def test_a_solved_question_cannot_be_asked_again(school, opened):
     school.show(opened.key, Phase.SOLVED)
     assert astuple(school.read_question(opened.code))[1:3] == (FIRST, Phase.SOLVED)
     with pytest.raises(ClassError, match="already seen the right answer"):
-        school.ask_again(opened.key)
+        school.begin_second_vote(opened.key)
 
 
 def test_a_class_without_a_question_accepts_no_answer(school):
@@ -271,7 +271,7 @@ def test_a_class_without_a_question_accepts_no_answer(school):
     for act in (
         lambda: school.vote(seat, "faster", "plain"),
         lambda: school.show(opened.key, Phase.REVEALED),
-        lambda: school.ask_again(opened.key),
+        lambda: school.begin_second_vote(opened.key),
     ):
         with pytest.raises(ClassError, match="asked no question"):
             act()
@@ -300,7 +300,7 @@ def test_repeating_a_counted_answer_after_the_reveal_is_accepted(school, opened)
     school.vote(seat, "faster", "plain", FIRST)
     school.show(opened.key, Phase.REVEALED)
     school.vote(seat, "faster", "plain", FIRST)
-    school.ask_again(opened.key)
+    school.begin_second_vote(opened.key)
     school.vote(seat, "faster", "plain", FIRST)
     assert school.read_distribution(opened.code, "faster", FIRST)["plain"] == 1
     for voter, option in ((seat.voter, "machine"), (other.voter, "plain")):
@@ -335,7 +335,7 @@ def test_a_network_gets_seats_as_fast_as_a_lecture_hall_takes_them(school, opene
     assert school.join(opened.code, "phone 0", addresses[0]).voter == "phone 0"
     school.join(opened.code, "another", elsewhere)
     seats = school.count_seats(opened.key)
-    assert (seats.taken, seats.lately) == (NETWORK_SEATS + 1, NETWORK_SEATS + 1)
+    assert (seats.taken, seats.newcomers) == (NETWORK_SEATS + 1, NETWORK_SEATS + 1)
     # They joined within half a minute, so the first seat is free half a minute later.
     clock.now += MINUTE / 2 + 0.5
     school.join(opened.code, "script 0", addresses[0])
@@ -354,7 +354,7 @@ def test_lecturer_closes_the_class_and_removes_absent_students_with_their_answer
         school.vote(seat, "faster", "plain")
     school.vote(stays, "faster", "machine")
     seats = school.count_seats(opened.key)
-    assert (seats.taken, seats.present, seats.lately, seats.is_open) == (39, 39, 39, True)
+    assert (seats.taken, seats.present, seats.newcomers, seats.is_open) == (39, 39, 39, True)
     school.let_join(opened.key, False)
     clock.now += PRESENCE_DURATION + 1
     school.join(opened.code, "stays")
@@ -393,7 +393,13 @@ def test_only_the_key_opens_the_lecturers_desk(school, opened):
     ]
     for key in wrong:
         reveal = partial(school.show, phase=Phase.REVEALED)
-        for act in (reveal, school.ask_again, school.close, school.count_seats, school.read_results_for_lecturer):
+        for act in (
+            reveal,
+            school.begin_second_vote,
+            school.close,
+            school.count_seats,
+            school.read_results_for_lecturer,
+        ):
             with pytest.raises(ClassError, match="belongs to no class"):
                 act(key)
         with pytest.raises(ClassError, match="belongs to no class"):
@@ -450,7 +456,7 @@ def test_students_with_a_recent_request_count_as_present(school, opened, clock):
 def test_a_stop_that_is_asked_again_later_begins_a_new_vote_and_keeps_the_old_ones(school, opened, clock):
     seat = school.join(opened.code)
     school.vote(seat, "faster", "plain", FIRST)
-    school.ask_again(opened.key)
+    school.begin_second_vote(opened.key)
     school.vote(seat, "faster", "neither", Vote(1, 2))
     school.show(opened.key, Phase.SOLVED)
     clock.now += 60

@@ -288,7 +288,7 @@ def test_the_explanations_quote_the_right_numbers():
 
 
 def test_the_samples_of_a_wrong_motion_are_those_of_its_run():
-    for method, steps in computing.STEPS.items():
+    for method, steps in computing.STEPS_PER_PERIOD.items():
         shown = computing.sample_history(method)
         q = computing.compute_history(method).q
         assert np.allclose(shown["q"], q[:: steps // shown["per_period"]], rtol=0, atol=1e-5)

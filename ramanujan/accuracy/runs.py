@@ -24,7 +24,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from ramanujan.accuracy.measurement import Timing, measure
-from ramanujan.integrators import METHODS, Method, Runs, trajectory
+from ramanujan.integrators import METHODS, Method, PerRun, trajectory
 
 _BLOCK = 256
 """Largest number of steps in a block."""
@@ -180,7 +180,7 @@ def _count_first_steps(method: str) -> tuple[int, int]:
     """Return the number of evaluations in the first step, and that in the second step."""
     calls = 0
 
-    def acceleration(q: Runs) -> Runs:
+    def acceleration(q: PerRun) -> PerRun:
         nonlocal calls
         calls += 1
         return -q

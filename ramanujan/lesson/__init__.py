@@ -19,7 +19,7 @@ from ramanujan.translation import _
 CHAPTERS = (clocks.STOPS, bodies.STOPS, modes.STOPS, ratio.STOPS, computing.STOPS)
 """The stops by subject. Stops of one chapter answer each other, so a worksheet has at most one of each."""
 
-STOPS: tuple[Stop, ...] = tuple(find_stop for chapter in CHAPTERS for find_stop in chapter)
+STOPS: tuple[Stop, ...] = tuple(stop for chapter in CHAPTERS for stop in chapter)
 """All stops, in the order of the lesson."""
 
 TASKS: tuple[Task, ...] = (*machine_tasks.TASKS, *answer_tasks.TASKS)
@@ -45,14 +45,14 @@ INTRODUCTION = _(
 
 def find_stop(name: str) -> Stop:
     """Return the stop with this id."""
-    return {find_stop.id: find_stop for find_stop in STOPS}[name]
+    return {stop.id: stop for stop in STOPS}[name]
 
 
 def has_stop(name: str) -> bool:
     """Return whether this version of the app has a stop with this id."""
-    return any(find_stop.id == name for find_stop in STOPS)
+    return any(stop.id == name for stop in STOPS)
 
 
 def find_task(name: str) -> Task:
     """Return the task with this id."""
-    return {find_task.id: find_task for find_task in TASKS}[name]
+    return {task.id: task for task in TASKS}[name]

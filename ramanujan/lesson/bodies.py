@@ -7,6 +7,8 @@ from ramanujan.translation import _
 
 _CM = 100.0
 _BODIES = ("slab", "block", "hoop", "top")
+_MIDDLE, _TURNING_POINT = 0.25, 0.5
+"""Parts of a period: when the spring is relaxed, and when the slab has reached its other turning point."""
 
 
 def _velocity_numbers() -> dict[str, float]:
@@ -35,9 +37,16 @@ def _find_direction_of_block() -> str:
 
 
 def _path_numbers() -> dict[str, float]:
-    """Return the distances that a lower roller's centre and the block cover in half a period [cm]."""
+    """Return distances that are covered in half a period [cm].
+
+    Returns
+    -------
+    over_block, over_ground : path of a lower roller's centre relative to the block, and relative to the ground
+    block : path of the block
+    half : path that the block would have if the centre moved half as far over the ground as over the block
+    """
     start, _q_dot = state_after(0.0)
-    end, _q_dot = state_after(0.5)
+    end, _q_dot = state_after(_TURNING_POINT)
     over_block = _CM * abs(float(relative_positions(EQUAL, start)["hoop"] - relative_positions(EQUAL, end)["hoop"]))
     over_ground = _CM * abs(float(ground_positions(EQUAL, start)["hoop"] - ground_positions(EQUAL, end)["hoop"]))
     return {
@@ -70,19 +79,19 @@ def _energy_shares(part: float) -> dict[str, float]:
 
 
 def _turning_point_numbers() -> dict[str, float]:
-    q, _q_dot = state_after(0.5)
+    q, _q_dot = state_after(_TURNING_POINT)
     stretch = abs(float(relative_positions(EQUAL, q)["slab"]))
-    return {"spring": _energy_shares(0.5)["spring"], "stretch": _CM * stretch}
+    return {"spring": _energy_shares(_TURNING_POINT)["spring"], "stretch": _CM * stretch}
 
 
 def _middle_numbers() -> dict[str, float]:
-    _q, q_dot = state_after(0.25)
+    _q, q_dot = state_after(_MIDDLE)
     block_speed = abs(float(ground_velocities(EQUAL, q_dot)["block"]))
-    return {**_energy_shares(0.25), "block_speed": _CM * block_speed}
+    return {**_energy_shares(_MIDDLE), "block_speed": _CM * block_speed}
 
 
 def _find_energy_at_turning_point() -> str:
-    share = _energy_shares(0.5)["spring"]
+    share = _energy_shares(_TURNING_POINT)["spring"]
     if share > 0.99:
         return "spring"
     return "half" if share > 0.4 else "bodies"
@@ -230,7 +239,7 @@ STOPS = (
                 "block. Which body does the spring push directly?"
             ),
         },
-        answer=lambda: max(_BODIES, key=_energy_shares(0.25).__getitem__),
+        answer=lambda: max(_BODIES, key=_energy_shares(_MIDDLE).__getitem__),
         why=_(
             "In the middle the slab holds {slab:2 %} of the energy and the hoop {hoop:2 %}. The block holds {block:2 "
             "%}, the top cylinder {top:2 %}. The slab is the fastest body. The hoop hardly travels, but it spins and "

@@ -25,11 +25,11 @@ class Phase(IntEnum):
 class Vote(NamedTuple):
     """One of the votes on a stop.
 
-    asking : counts how many times the lecturer has asked this question, from 1
-    number : 1 for the vote before students talk to their neighbours, 2 for the vote after
+    times_asked : how many times the lecturer has opened this question with new votes, from 1
+    number : 1 for the vote before students talk to their neighbours, 2 for the vote after it, on the same opening
     """
 
-    asking: int = 1
+    times_asked: int = 1
     number: int = 1
 
     @property
@@ -82,13 +82,13 @@ class Seats:
 
     taken : number of seats
     present : number of students whose browser has sent a request lately
-    lately : number of students who joined within the last minute
+    newcomers : number of students who joined within the last minute
     is_open : whether more students may join
     """
 
     taken: int
     present: int
-    lately: int
+    newcomers: int
     is_open: bool
 
 

@@ -27,7 +27,8 @@ PATIENCE = 10.0
 POSTGRES = ("postgresql://", "postgres://")
 """The beginnings of the address of a PostgreSQL server."""
 
-# Both databases accept these statements. `asking` and `number` are the fields of a `class_states.Vote`.
+# Both databases accept these statements. The columns `asking` and `number` contain the fields of a `class_states.Vote`,
+# `times_asked` and `number`. `heard` is the time of a student's last request, `seen` the desk's view of the machine.
 _FIRST_SCHEMA = """
 CREATE TABLE IF NOT EXISTS class (
     code TEXT PRIMARY KEY, key_hash TEXT NOT NULL, expires DOUBLE PRECISION NOT NULL,
@@ -228,7 +229,7 @@ class PostgresStore(Store):
         self._psycopg, self._address = psycopg, address
         self.errors = (psycopg.Error,)
         self._lock = threading.Lock()
-        self._open: Any = None
+        self._connection: Any = None
 
     @contextmanager
     def connection(self) -> Iterator[Any]:
@@ -237,15 +238,15 @@ class PostgresStore(Store):
         with self._lock:
             while True:
                 try:
-                    if self._open is None or self._open.closed:
-                        self._open = self._connect()
-                    self._open.execute("SELECT 1")
+                    if self._connection is None or self._connection.closed:
+                        self._connection = self._connect()
+                    self._connection.execute("SELECT 1")
                     break
                 except self._psycopg.OperationalError:
                     if time.monotonic() > end:
                         raise
                     time.sleep(0.1)
-            yield self._open
+            yield self._connection
 
     def is_busy(self, error: Exception) -> bool:
         """Return whether the server is unreachable, or another transaction has locked a row."""

@@ -7,7 +7,7 @@
     classes.vote(seat, "faster", "plain")
     classes.show(opened.key, Phase.REVEALED)
     classes.read_distribution(opened.code, "faster")     # {"machine": 0, "plain": 1}
-    classes.ask_again(opened.key)                   # the second vote, after the discussion
+    classes.begin_second_vote(opened.key)           # after the discussion
 
 A refused action raises `ClassError` with one sentence. Several processes share one database (`class_store`). An expired
 class is deleted with all its votes. The method is from E. Mazur, *Peer Instruction* (1997).
@@ -135,7 +135,8 @@ class Classes:
     def ask(self, key: str, stop: str, options: Sequence[str], anew: bool = False) -> None:
         """Take the class to a question.
 
-        An earlier question is resumed, or asked again if `anew`. Its earlier votes remain in the database.
+        An earlier question is resumed with its votes, or opened again without votes if `anew`. The database keeps the
+        earlier votes.
         """
         code = self.find_code(key)
         if not all(_ID.fullmatch(id) for id in (stop, *options)):
@@ -146,8 +147,8 @@ class Classes:
             if row is None:
                 vote = Vote()
             elif anew:
-                asking, _number = row
-                vote = Vote(asking + 1)
+                times_asked, _number = row
+                vote = Vote(times_asked + 1)
             else:
                 vote = Vote(*row)
             self._begin_vote(execute, code, stop, vote, " ".join(options))
@@ -162,14 +163,14 @@ class Classes:
             execute(
                 "UPDATE question SET present = CASE WHEN reached = 0 THEN ? ELSE present END, phase = ?, "
                 "reached = CASE WHEN reached > ? THEN reached ELSE ? END WHERE code = ? AND stop = ? AND asking = ?",
-                (present, *[int(phase)] * 3, code, stop, vote.asking),
+                (present, *[int(phase)] * 3, code, stop, vote.times_asked),
             )
 
     def finish(self, key: str) -> None:
         """Take the class to the end of the lesson, `END`."""
         self._update_class(key, stop=END)
 
-    def ask_again(self, key: str) -> None:
+    def begin_second_vote(self, key: str) -> None:
         """Begin the second vote on the current question and close the first."""
         code = self.find_code(key)
         with self._store.writing() as execute:
@@ -200,11 +201,11 @@ class Classes:
             (code, int(reached)),
         )
         students_present = {}
-        for stop, asking, number, _options, _at, present in rows:
-            students_present[stop, Vote(asking, number)] = present
+        for stop, times_asked, number, _options, _at, present in rows:
+            students_present[stop, Vote(times_asked, number)] = present
         results = []
-        for stop, asking, number, options, at, present in rows:
-            vote = Vote(asking, number)
+        for stop, times_asked, number, options, at, present in rows:
+            vote = Vote(times_asked, number)
             if vote.is_second:
                 continue
             first = self._count_votes(code, stop, vote, options)
@@ -224,10 +225,10 @@ class Classes:
             f"SELECT (SELECT COUNT(*) FROM voter WHERE voter.code = class.code), ({_COUNT_PRESENT}), (SELECT COUNT(*) "
             "FROM voter WHERE voter.code = class.code AND joined > ?), is_open FROM class WHERE code = ?"
         )
-        taken, present, lately, is_open = self._store.read(
-            query, (self._earliest_presence, self._clock() - MINUTE, code)
-        )[0]
-        return Seats(taken, present, lately, bool(is_open))
+        # The first ? of the query is in _COUNT_PRESENT.
+        values = (self._earliest_presence, self._clock() - MINUTE, code)
+        [(taken, present, newcomers, is_open)] = self._store.read(query, values)
+        return Seats(taken, present, newcomers, bool(is_open))
 
     def let_join(self, key: str, is_open: bool) -> None:
         """Open or close the class to new students; a student with a seat stays."""
@@ -250,7 +251,7 @@ class Classes:
     def join(self, code: str, voter: str = "", address: str = "") -> Seat:
         """Return a seat in a class, the old one if the voter has one.
 
-        A wrong code costs one read and writes nothing, so a right code works after any number of wrong ones.
+        Wrong codes are not counted, so they lock nobody out. A wrong code writes nothing to the database.
 
         Parameters
         ----------
@@ -340,10 +341,10 @@ class Classes:
         rows = self._store.read(_QUESTION, (self._earliest_presence, self._earliest_presence, code, self._clock()))
         if not rows:
             raise ClassError(_("The class has ended."))
-        stop, asking, number, phase, reached, answered, present = rows[0]
+        stop, times_asked, number, phase, reached, answered, present = rows[0]
         return ClassQuestion(
             stop=stop,
-            vote=Vote(asking, number),
+            vote=Vote(times_asked, number),
             phase=Phase(phase),
             reached=Phase(reached),
             answered=answered,
@@ -359,8 +360,8 @@ class Classes:
         rows = self._store.read(query, (code, stop))
         if not rows:
             return None
-        asking, number, phase, reached = rows[0]
-        return ClassQuestion(stop, Vote(asking, number), Phase(phase), Phase(reached), answered=0, present=0)
+        times_asked, number, phase, reached = rows[0]
+        return ClassQuestion(stop, Vote(times_asked, number), Phase(phase), Phase(reached), answered=0, present=0)
 
     def read_expiry(self, code: str) -> float:
         """Return the time at which the class and all its answers are deleted [s since 1970]."""
@@ -386,28 +387,28 @@ class Classes:
             "SELECT options, asking, number FROM question WHERE code = ? AND stop = ? AND reached > 0 "
             "ORDER BY asking DESC, number DESC"
         )
-        for options, asking, number in self._store.read(query, (code, stop)):
-            shown_vote = Vote(asking, number)
+        for options, times_asked, number in self._store.read(query, (code, stop)):
+            shown_vote = Vote(times_asked, number)
             if vote in (None, shown_vote):
                 return self._count_votes(code, stop, shown_vote, options)
         raise ClassError(_("The result of this question has not been shown yet."))
 
-    def count_changes(self, code: str, stop: str, right: str, asking: int = 1) -> Counter[tuple[bool, bool]]:
+    def count_changes(self, code: str, stop: str, right: str, times_asked: int = 1) -> Counter[tuple[bool, bool]]:
         """Count the students who voted twice by whether each of their votes was right.
 
         Parameters
         ----------
         code, stop : the class and the question
         right : id of the right option
-        asking : the asking of both votes
+        times_asked : the field of both votes
 
         Returns
         -------
         (right in the first vote, right in the second vote) → number of students
         """
         # This call raises an error if the result has not been shown.
-        self.read_distribution(code, stop, Vote(asking, 2))
-        rows = self._store.read(_CHANGES, (right, right, code, stop, asking))
+        self.read_distribution(code, stop, Vote(times_asked, 2))
+        rows = self._store.read(_CHANGES, (right, right, code, stop, times_asked))
         return Counter({(bool(before), bool(after)): number for before, after, number in rows})
 
     def delete_expired(self) -> None:
@@ -444,10 +445,8 @@ class Classes:
         execute("UPDATE voter SET network = NULL WHERE network IS NOT NULL AND joined <= ?", (earlier,))
 
     def _begin_vote(self, execute: _Execute, code: str, stop: str, vote: Vote, options: str) -> None:
-        """Make a vote the current one of a class, and create it if it is new.
-
-        `Vote` fills two columns: `asking` counts how often the question was asked, `number` is 1 or 2 for the vote.
-        """
+        """Make a vote the current one of a class, and create it if it is new."""
+        # A vote fills the columns `asking` and `number`.
         execute(
             "INSERT INTO question (code, stop, asking, number, options, asked) VALUES (?, ?, ?, ?, ?, ?) "
             "ON CONFLICT DO NOTHING",
@@ -505,8 +504,8 @@ def _read_current(execute: _Execute, code: str) -> tuple[str, Vote, str, Phase]:
     row = execute(query, (code,)).fetchone()
     if row is None:
         raise ClassError(_("The class is asked no question at the moment."))
-    stop, asking, number, options, reached = row
-    return stop, Vote(asking, number), options, Phase(reached)
+    stop, times_asked, number, options, reached = row
+    return stop, Vote(times_asked, number), options, Phase(reached)
 
 
 def _explain_wrong_code(text: str) -> str:

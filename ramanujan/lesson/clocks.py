@@ -33,7 +33,7 @@ def rotation_share(machine: Oscillator) -> float:
 
 
 def _compare_with_plain_mass() -> str:
-    """Return the option that is right for the machine with equal masses. It is never a full turn ahead."""
+    """Return the right option for the machine with equal masses. No option is for a machine a full turn ahead."""
     turns = turns_ahead(EQUAL)
     return ("far_" if abs(turns) > 1 else "") + choose_by_sign(turns, "behind", "together", "ahead")
 

@@ -16,8 +16,8 @@ from ramanujan.translation import _
 
 COMPRESSION = 0.04
 PERIODS = 20
-STEPS = {"explicit_euler": 1000, "velocity_verlet": 10}
-"""The two methods to compare, and their steps per period."""
+STEPS_PER_PERIOD = {"explicit_euler": 1000, "velocity_verlet": 10}
+"""The two methods to compare → their steps per period."""
 HUGE = 1e200
 """ε, with m = k = 1."""
 _RATIO = power_of_ten(round(math.log10(HUGE)))
@@ -26,14 +26,14 @@ _DRAWN = Oscillator(m=1.0, m_prime=math.sqrt(HUGE), k=1.0)
 _LABEL = _("Nobody lives to see it move: m = 1 kg, m′ = {ratio} kg.").format(ratio=_RATIO)
 _LARGEST = float(np.finfo(float).max)
 
-_SHOWN = 50
-"""Samples per period for the stage, of a run with more steps."""
+_SAMPLES_PER_PERIOD = 50
+"""Number of samples that the stage receives of a period with more steps than that."""
 
 
 @cache
 def compute_history(method: str) -> History:
     """Return the run of one of the two methods."""
-    return error_history(method, STEPS[method], PERIODS)
+    return error_history(method, STEPS_PER_PERIOD[method], PERIODS)
 
 
 def final_energy_ratio(method: str) -> float:
@@ -42,14 +42,14 @@ def final_energy_ratio(method: str) -> float:
 
 
 def sample_history(method: str) -> dict[str, object]:
-    """Return the samples of the computed motion for the stage."""
-    steps_per_sample = max(STEPS[method] // _SHOWN, 1)
+    """Return every nth state of the computed motion for the stage, and the number of states per period."""
+    steps_per_sample = max(STEPS_PER_PERIOD[method] // _SAMPLES_PER_PERIOD, 1)
     q = compute_history(method).q[::steps_per_sample]
-    return {"per_period": STEPS[method] // steps_per_sample, "q": q.round(5).tolist()}
+    return {"per_period": STEPS_PER_PERIOD[method] // steps_per_sample, "q": q.round(5).tolist()}
 
 
 def _find_worse_method() -> str:
-    errors = {method: abs(final_energy_ratio(method) - 1) for method in STEPS}
+    errors = {method: abs(final_energy_ratio(method) - 1) for method in STEPS_PER_PERIOD}
     worst = max(errors, key=errors.__getitem__)
     if min(errors.values()) > errors[worst] / 2:
         return "both"
@@ -107,7 +107,11 @@ STOPS = (
             "period. The second uses velocity Verlet with {few}. In which run is the error of the energy larger after "
             "{periods} periods?"
         ),
-        question_numbers={"many": STEPS["explicit_euler"], "few": STEPS["velocity_verlet"], "periods": PERIODS},
+        question_numbers={
+            "many": STEPS_PER_PERIOD["explicit_euler"],
+            "few": STEPS_PER_PERIOD["velocity_verlet"],
+            "periods": PERIODS,
+        },
         options=dict(euler=_("In the first run."), verlet=_("In the second run."), both=_("It is the same in both.")),
         replies={
             "verlet": _(
@@ -133,7 +137,8 @@ STOPS = (
         is_in_short_lesson=True,
         minutes=3,
         runs=tuple(
-            Run(EQUAL, COMPRESSION, METHODS[method].title, samples=partial(sample_history, method)) for method in STEPS
+            Run(EQUAL, COMPRESSION, METHODS[method].title, samples=partial(sample_history, method))
+            for method in STEPS_PER_PERIOD
         ),
         onward=Onward(_("Measure the methods on the page Speed and accuracy"), "speed", {"method": "explicit_euler"}),
     ),

@@ -17,7 +17,7 @@ from ramanujan.translation import _
 # The goals of the tasks and their tolerances.
 IN_STEP = 1e-3
 NINE_EIGHTHS = 9 / 8
-EXACTLY = 1e-9
+EXACTLY, NEARLY = 1e-9, 1e-3
 _FRACTION = Fraction(float(mass_ratio_for(NINE_EIGHTHS))).limit_denominator(1000)
 HALF_WAY = 0.01
 PARTING, PARTING_TOLERANCE = 10, 0.01
@@ -46,12 +46,12 @@ def judge_in_step(attempt: Attempt) -> TaskVerdict:
 
 
 def judge_nine_eighths(attempt: Attempt) -> TaskVerdict:
-    """Judge |Ω²m/k − 9/8| with a tolerance that only a fraction meets, typed into the box of m′."""
+    """Judge |Ω²m/k − 9/8|. The tolerance is so small that only a fraction typed into the box of m′ meets it."""
     value = attempt.machine.normalized_frequency_squared
     off = abs(value - NINE_EIGHTHS)
     if off <= EXACTLY:
         return TaskVerdict(True, _("Ω²m/k is 9/8. The mass ratio is a fraction here, without any root."))
-    if off > IN_STEP:
+    if off > NEARLY:
         return miss_goal(_("Ω²m/k = {value:7}. That is {off:2} away from 9/8."), value=value, off=off)
     return miss_goal(
         _("Ω²m/k = {value:7}, only {off:2} away. Which fraction is that mass ratio? Type it into the box of m′."),

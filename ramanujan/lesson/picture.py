@@ -99,13 +99,14 @@ def _draw(machine: Oscillator, compression: float) -> _Drawing:
     q, _q_dot = motion(machine, released(machine, compression), 0.0)
     shift = {name: float(x) * _CM for name, x in ground_positions(machine, q).items()}
     R, x0 = machine.radius * _CM, compression * _CM
-    # Centres and edges with the spring relaxed; the shifts lead to the release.
-    hoop = x0 / 2 + R + _GAP
-    cylinder = hoop + drawn_spacing(machine.radius) * _CM
-    slab_left, slab_right = hoop - x0 / 2 - 4, cylinder + x0 / 2 + 4
+    # x of the centres of the rollers and of vertical edges with the spring relaxed; the shifts lead to the release.
+    hoop_x = x0 / 2 + R + _GAP
+    cylinder_x = hoop_x + drawn_spacing(machine.radius) * _CM
+    slab_left, slab_right = hoop_x - x0 / 2 - 4, cylinder_x + x0 / 2 + 4
     riser = slab_right + x0 + 12
-    top = riser + R + _GAP
-    right = top + R + _GAP
+    top_x = riser + R + _GAP
+    right = top_x + R + _GAP
+    # Heights of the slab's lower side, of the block's upper step, and of the upper side of the drawing.
     deck = _DECK + 2 * R
     upper = deck + _THICK + _STEP
     ceiling = upper + 2 * R + 3
@@ -113,24 +114,28 @@ def _draw(machine: Oscillator, compression: float) -> _Drawing:
     spring_start, spring_end = slab_right + shift["slab"], riser + shift["block"]
     spring_height = deck + _THICK / 2
     centres = {
-        "hoop": (hoop + shift["hoop"], -_DECK - R),
-        "cylinder": (cylinder + shift["cylinder"], -_DECK - R),
-        "top": (top + shift["top"], -upper - R),
+        "hoop": (hoop_x + shift["hoop"], -_DECK - R),
+        "cylinder": (cylinder_x + shift["cylinder"], -_DECK - R),
+        "top": (top_x + shift["top"], -upper - R),
     }
     rims = {body: _circle(*centre, R) for body, centre in centres.items()}
     rims["hoop"] += _circle(*centres["hoop"], 0.78 * R)
     x, y = centres["top"]
     x0_height = -deck - _THICK - 2.6
     outlines = [
+        # The floor, the bodies and the spring.
         _Outline(f"M-6 0H{right + 6:g}"),
         _Outline(f"M{block_left:g} 0V{-_DECK:g}H{riser:g}V{-upper:g}H{right:g}V0z", "block"),
         *(_Outline(rim, body) for body, rim in rims.items()),
         _Outline(f"M{slab_start:g} {-deck:g}h{slab_right - slab_left:g}v{-_THICK:g}H{slab_start:g}z", "slab"),
         _Outline(_coil(spring_start, spring_end, spring_height)),
+        # The arrow of X, from the left edge of the block to the left.
         _Outline(f"M{block_left:g} {-_DECK:g}v-7M{block_left:g} {-_DECK - 4.5:g}h-6l2 -1.2m-2 1.2l2 1.2"),
+        # The length x₀ above the spring: from the slab's right edge at release to the one with the spring relaxed.
         _Outline(
             f"M{slab_right:g} {-spring_height:g}V{x0_height - 1:g}M{slab_right:g} {x0_height:g}H{slab_right + x0:g}"
         ),
+        # A radius of the top cylinder, and the arrows of φ and Φ.
         _Outline(f"M{x:g} {y:g}l{-0.6 * R:g} {-0.8 * R:g}"),
         *(_Outline(_rotation_arrow(*centre, 1.12 * R)) for centre in centres.values()),
     ]
@@ -161,11 +166,11 @@ def _circle(x: float, y: float, r: float) -> str:
 
 
 def _rotation_arrow(x: float, y: float, r: float) -> str:
-    """Return an arrow around a circle in the positive, clockwise sense, from 44° to 74° after the top."""
+    """Return an arrow around a circle, clockwise from 44° to 74°, measured from the top of the circle."""
     begin, end = math.radians(44), math.radians(74)
     begin_x, begin_y = x + r * math.sin(begin), y - r * math.cos(begin)
     end_x, end_y = x + r * math.sin(end), y - r * math.cos(end)
-    # The length of the two handles of a Bézier curve that approximates the arc.
+    # Length of the handles of the Bézier curve that approximates the arc.
     handle = 4 / 3 * math.tan((end - begin) / 4) * r
     first_handle = f"{begin_x + handle * math.cos(begin):g} {begin_y + handle * math.sin(begin):g}"
     second_handle = f"{end_x - handle * math.cos(end):g} {end_y - handle * math.sin(end):g}"

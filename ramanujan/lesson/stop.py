@@ -149,7 +149,8 @@ class Stop:
         return _("Run the machine") if "motion" in self.hides and not self.exhibit else _("Check it")
 
     def __post_init__(self) -> None:
-        # The texts before the prediction need only the `question_numbers`. A frozen dataclass forbids assignments.
+        # The texts before the prediction need no `answer_numbers`, which take long to compute, so fill them at once.
+        # A frozen dataclass allows no assignments, only `object.__setattr__`.
         for name in ("heading", "question"):
             object.__setattr__(self, name, self._fill(getattr(self, name)))
         object.__setattr__(self, "hints", tuple(map(self._fill, self.hints)))
@@ -186,7 +187,7 @@ def state_after(
 
 
 def choose_by_sign(value: Any, negative: str, zero: str, positive: str) -> str:
-    """Return one of three ids by the sign of a number."""
+    """Return the id for a negative, a zero or a positive value."""
     if value < 0:
         return negative
     return positive if value > 0 else zero

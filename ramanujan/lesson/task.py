@@ -43,8 +43,8 @@ class TaskVerdict:
     """The verdict on an attempt.
 
     is_done : whether the goal is reached
-    sentence : the distance from the goal in words; without an attempt, instructions
-    is_judged : whether there was an attempt, such as a typed number or a measurement
+    sentence : the result: success, or the distance from the goal; without an attempt, instructions
+    is_judged : False if there was no attempt to judge, such as a typed number or a measurement
     """
 
     is_done: bool
@@ -53,7 +53,7 @@ class TaskVerdict:
 
 
 def miss_goal(sentence: str, **values: object) -> TaskVerdict:
-    """Return the verdict on an attempt that misses the goal; the sentence is a template for `numerals.filled`."""
+    """Return the verdict on an attempt that misses the goal; `sentence` is a template for `numerals.filled`."""
     return TaskVerdict(False, filled(sentence, **values))
 
 

@@ -93,7 +93,11 @@ def make_derivation(level: int) -> tuple[WorksheetQuestion, ...]:
 
 
 def _guided_step(step: Step, level: int) -> WorksheetQuestion:
-    """Return a step of the derivation as a question, with blanks for the equations to complete."""
+    """Return a step of the derivation as a question, with blanks for the equations to complete.
+
+    `level` is that of `make_questions`: 1 leaves the last equation to complete, 2 leaves all, and 3 also omits the
+    reason and the left sides.
+    """
     equations = [latex(equation) for equation in step.equations]
     blanks = ["\\ldots=0" if equation.rhs == 0 else f"{latex(equation.lhs)}=\\ldots" for equation in step.equations]
     if level == 1:
@@ -136,7 +140,7 @@ def _make_prediction(stop: Stop, source: random.Random) -> WorksheetQuestion:
 def _make_calculations(machine: Oscillator, target: Fraction) -> tuple[WorksheetQuestion, ...]:
     """Return the questions about this machine, with exact answers.
 
-    Each question has a fixed `space`, from which its points follow: they must not depend on the numbers.
+    `space` also sets the points for a right answer, so each question has a fixed number, the same for every machine.
     """
     values = Numbers.of(machine).exact
     ratio = sp.radsimp(values[m_prime] / values[m])

@@ -35,7 +35,7 @@ LARGEST_PART = 10**6
 """The largest numerator and denominator of a shape factor or a target. Coefficients are then below 1e26."""
 
 LARGEST_RATIO_PART = 10**1000
-"""The largest numerator and denominator of a mass ratio; the convergents of a mass ratio are smaller."""
+"""The largest numerator and denominator of a mass ratio. The app's convergents, which are mass ratios, are smaller."""
 
 ShapeFactor = str | int | Fraction
 
@@ -172,12 +172,13 @@ class BodyChoice:
 
 
 def norm_form(target: int | Fraction = 1) -> tuple[int, int]:
-    """Return integers x and y such that x² + 3y² is D·r², with the discriminant D of the paper's machine.
+    """Return integers x and y such that x² + 3y² is the discriminant of the paper's machine, times a square.
 
-    For Ω²m/k = p/q the quadratic is 18p ε² + (49p − 48q) ε − (56q − 32p) = 0, and r is the common factor of its
-    coefficients. Its discriminant before the division by r² is
+    For Ω²m/k = p/q the quadratic is 18p ε² + (49p − 48q) ε − (56q − 32p) = 0. Its discriminant is
 
-        D·r² = (49p − 48q)² + 4·18p·(56q − 32p) = x² + 3y²   with   x = 48q − 7p,   y = 4p
+        g²D = (49p − 48q)² + 4·18p·(56q − 32p) = x² + 3y²   with   x = 48q − 7p,   y = 4p
+
+    Here g is the common factor of the coefficients, and D the discriminant after the division by g, as in `BodyChoice`.
 
     Parameters
     ----------
@@ -228,15 +229,18 @@ def _inertia_coefficients(beta_a: ShapeFactor, beta_b: ShapeFactor, beta_c: Shap
     return a + b, c / (1 + c)
 
 
-def _shape_factor(name: str, body: ShapeFactor) -> Fraction:
-    """Return β of a body from its name in BODIES, or the number itself if it is from 0 to 1."""
+def _shape_factor(argument: str, body: ShapeFactor) -> Fraction:
+    """Return the β of a body in BODIES, or a number from 0 to 1 as it is.
+
+    Errors begin with the name of the argument.
+    """
     if isinstance(body, str):
         if body not in BODIES:
-            raise ValueError(f"{name} must be one of {', '.join(BODIES)}, not {body!r}")
+            raise ValueError(f"{argument} must be one of {', '.join(BODIES)}, not {body!r}")
         return BODIES[body]
-    beta = rational(name, body, LARGEST_PART)
+    beta = rational(argument, body, LARGEST_PART)
     if not 0 <= beta <= 1:
-        raise ValueError(f"{name} must lie between 0 and 1")
+        raise ValueError(f"{argument} must lie between 0 and 1")
     return beta
 
 

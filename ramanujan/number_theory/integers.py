@@ -227,8 +227,9 @@ def positive_root_digits(a: int, b: int, c: int, digits: int) -> str:
 def continued_fraction(a: int, b: int, c: int, terms: int) -> list[int]:
     """Return the first partial quotients of the positive root of aε² + bε + c = 0; a rational root may have fewer.
 
-    Each complete quotient is (P + √D)/Q with integers P and Q, where Q divides D − P². Its conjugate (P − √D)/Q is
-    always negative, so Q is always positive. Therefore its integer part is ⌊(P + ⌊√D⌋)/Q⌋.
+    Each complete quotient is (P + √D)/Q with integers P and Q, where Q divides D − P². The quotient is positive and its
+    conjugate (P − √D)/Q negative. Their difference 2√D/Q is positive, so Q > 0. The integer part of the quotient is
+    therefore ⌊(P + ⌊√D⌋)/Q⌋.
 
     Parameters
     ----------

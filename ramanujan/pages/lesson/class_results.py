@@ -94,11 +94,12 @@ def _result(code: str, stop: str, vote: Vote) -> tuple[Sequence[Mapping[str, int
     The key of a change is whether the first answer was right, and whether the second one was. A revealed result is
     final, so it is cached.
     """
-    votes = [shared().read_distribution(code, stop, Vote(vote.asking, number)) for number in range(1, vote.number + 1)]
+    votes_so_far = [vote._replace(number=number) for number in range(1, vote.number + 1)]
+    distributions = [shared().read_distribution(code, stop, earlier) for earlier in votes_so_far]
     if not vote.is_second:
-        return votes, Counter()
+        return distributions, Counter()
     right = lesson.find_stop(stop).right
-    return votes, shared().count_changes(code, stop, right, vote.asking)
+    return distributions, shared().count_changes(code, stop, right, vote.times_asked)
 
 
 def _mark_label(label: str, is_right: bool, is_own: bool) -> str:
@@ -227,9 +228,9 @@ def joined_sentence(people: int) -> str:
 def recent_sentence(seats: Seats) -> str:
     """Return the number of students who joined in the last minute, as a sentence; an empty text for none."""
     sentence = ngettext(
-        "{n} student joined in the last minute.", "{n} students joined in the last minute.", seats.lately
+        "{n} student joined in the last minute.", "{n} students joined in the last minute.", seats.newcomers
     )
-    return sentence.format(n=seats.lately) if seats.lately else ""
+    return sentence.format(n=seats.newcomers) if seats.newcomers else ""
 
 
 def seats_sentence(seats: Seats) -> str:

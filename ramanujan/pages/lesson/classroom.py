@@ -301,7 +301,7 @@ def _draw_moves(key: str, stop: Stop | None, current: ClassQuestion, last: Class
         ask_anew = partial(shared().ask, anew=True)
         _Move(_("Ask this question again"), "anew", ask_anew, (place, list(stop.options))).draw(key)
     if current.stop == place != END and not current.vote.is_second and current.reached < Phase.RUNNING:
-        _Move(_("Ask again"), "again", shared().ask_again).draw(key)
+        _Move(_("Ask again"), "again", shared().begin_second_vote).draw(key)
 
 
 def _choose_forward_move(stop: Stop | None, current: ClassQuestion, last: ClassQuestion | None) -> _Move:
@@ -553,7 +553,7 @@ def _draw_open_vote(stop: Stop, question: ClassQuestion, chosen: str | None) -> 
     """Draw the options of an open question, with a confirmation at the student's answer."""
     if question.vote.is_second:
         st.markdown(_("**Second vote.** Talk to your neighbours, then answer again."))
-    key = f"class_answer_{stop.id}_{question.vote.asking}_{question.vote.number}"
+    key = f"class_answer_{stop.id}_{question.vote.times_asked}_{question.vote.number}"
     # The database contains the valid answer, also after a reload and after an answer that came too late.
     if st.session_state.get(key) != chosen:
         st.session_state[key] = chosen
