@@ -154,7 +154,7 @@ def test_a_continued_run_equals_a_whole_run(method, within):
 
 
 def test_cheapest_is_sorted_and_within_the_tolerance(curves):
-    timed = [replace(curve, step=seconds_per_step(*pair)) for pair, curve in curves.items()]
+    timed = [replace(curve, step_timing=seconds_per_step(*pair)) for pair, curve in curves.items()]
     for by in ("evaluations", "seconds"):
         choices = cheapest(timed, 1e-2, by)
         assert [getattr(c, by) for c in choices] == sorted(getattr(c, by) for c in choices)

@@ -38,7 +38,7 @@ def school(tmp_path, monkeypatch) -> classes.Classes:
 def cookies(monkeypatch) -> None:
     """Read the browser's name from the session, because AppTest sends no cookies. All sessions share one address."""
     monkeypatch.setattr(class_session, "identify_browser", lambda: st.session_state.get("cookie", ""))
-    monkeypatch.setattr(class_session, "find_network", lambda: "10.0.0.1")
+    monkeypatch.setattr(class_session, "find_ip_address", lambda: "10.0.0.1")
 
 
 def visitor(cookie: str = "", **link: str) -> AppTest:
@@ -304,7 +304,7 @@ def test_a_session_has_one_seat_and_a_full_network_waits(lecturer, school, monke
     second, third = (visitor(**{"class": code_of(lecturer)}) for _ in range(2))
     assert "The first question will appear here" in words(second)
     assert "This page joins by itself in a moment" in words(third.run())
-    monkeypatch.setattr(class_session, "find_network", lambda: "10.0.0.7")
+    monkeypatch.setattr(class_session, "find_ip_address", lambda: "10.0.0.7")
     assert "The first question will appear here" in words(third.run())
     assert "3 students joined in the last minute" in words(lecturer.run())
 

@@ -118,7 +118,7 @@ def test_measurements_are_shared_and_repeated_on_request(app):
     [button] = [button for button in app.button if button.label == "Measure again"]
     button.click().run()
     again = cache.diagram(1)
-    assert [c.step for c in again] != [c.step for c in curves]
+    assert [c.step_timing for c in again] != [c.step_timing for c in curves]
     assert [c.error is old.error for c, old in zip(again, curves, strict=True)] == [True] * len(curves)
 
 
@@ -232,7 +232,7 @@ def test_simultaneous_requests_share_one_computation_and_measurements_take_turns
         diagrams = list(visitors.map(lambda _visitor: cache.diagram(1), range(5)))
     assert sys.getswitchinterval() == usual
     assert len(worked) == len(set(worked)) == 2 * len(METHODS)
-    assert all(curve.step == Timing(1.0, 1.0, 1.0) for diagram in diagrams for curve in diagram)
+    assert all(curve.step_timing == Timing(1.0, 1.0, 1.0) for diagram in diagrams for curve in diagram)
 
 
 # ---- figures

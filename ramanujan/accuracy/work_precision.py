@@ -47,17 +47,17 @@ class WorkPrecision:
     error: np.ndarray
     evaluations: np.ndarray
     ends: tuple[np.ndarray, np.ndarray]
-    step: Timing | None = None
+    step_timing: Timing | None = None
 
     @property
     def seconds(self) -> np.ndarray:
         """Duration of each run: number of steps times the median duration of a step; NaN before the measurement."""
-        return self.steps_per_period * self.periods * (self.step.median if self.step else np.nan)
+        return self.steps_per_period * self.periods * (self.step_timing.median if self.step_timing else np.nan)
 
     @property
     def spread(self) -> float:
         """Distance of the quartiles of a step's duration, relative to the median; NaN before the measurement."""
-        return (self.step.high - self.step.low) / self.step.median if self.step else np.nan
+        return (self.step_timing.high - self.step_timing.low) / self.step_timing.median if self.step_timing else np.nan
 
 
 @dataclass(frozen=True)

@@ -74,10 +74,11 @@ def hash_browser(browser: str, code: str) -> str:
     return _hash_in_class(code, browser) if browser else ""
 
 
-def hash_network(address: str, code: str) -> str:
-    """Return the hash of a visitor's network, with which a class counts the seats of one network.
+def hash_network(address: str, code: str = "") -> str:
+    """Return the hash of a visitor's network in one class, or without a code the hash for all classes.
 
-    A provider assigns a household a whole range of IPv6 addresses, so only the first 64 bits count.
+    The hash serves to count the seats or the classes of one network. A provider assigns a household a whole range of
+    IPv6 addresses, so only the first 64 bits count.
     """
     try:
         parsed = ipaddress.ip_address(address)

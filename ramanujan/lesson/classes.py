@@ -97,7 +97,7 @@ class Classes:
         ClassError : a limit is reached.
         """
         secret = secrets.token_urlsafe(class_codes.SECRET_BYTES)
-        now, network = self._clock(), class_codes.hash_network(address, "")
+        now, network = self._clock(), class_codes.hash_network(address)
         with self._store.writing() as execute:
             self._delete_old(execute)
             # `_delete_old` has removed the networks of classes opened more than a minute ago.

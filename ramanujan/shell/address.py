@@ -37,7 +37,7 @@ _DISTANT_ADDRESS = ("198.51.100.1", 9)
 _LAST_PAGE = "address_page"
 """Session state: name of the page for which the address was last read."""
 _KNOWN = "address_met"
-"""Session state: name → whether Streamlit binds it, for the URL parameters of all pages opened in this session."""
+"""Session state: URL parameter of a page opened in this session → whether Streamlit binds it."""
 _WARNED = "address_warned"
 """Session state: whether the message `UNKNOWN` was shown."""
 _MOST_LISTED = 8
@@ -149,7 +149,7 @@ class Several(Choice):
     )
 
     def read(self, text: str) -> tuple[str, ...]:
-        """Return the options without repetitions. Raise `ValueError` if one of them does not exist."""
+        """Return the options without repetitions. Raise `ValueError` if an option does not exist."""
         # A dictionary removes repetitions and preserves the order.
         values = dict.fromkeys(part.strip() for part in text.split(","))
         if not values.keys() <= set(self.options):

@@ -108,10 +108,10 @@ def find_phase(stop: Stop) -> Phase | None:
     if key is None:
         return None
     try:
-        last = shared().read_last_state(shared().find_code(key), stop.id)
+        stop_state = shared().read_last_state(shared().find_code(key), stop.id)
     except ClassError:
-        last = None
-    return last.phase if last else Phase.ASKED
+        stop_state = None
+    return stop_state.phase if stop_state else Phase.ASKED
 
 
 def read_question(code: str) -> ClassQuestion:
@@ -126,8 +126,8 @@ def read_question(code: str) -> ClassQuestion:
 
 
 def open_class(lifetime: float = DAY) -> None:
-    """Open a new class with this session as its lecturer; it is deleted after `lifetime` seconds."""
-    st.session_state[_KEY] = shared().open_class(lifetime, find_network()).key
+    """Open a new class with this session as its lecturer; the class is deleted after `lifetime` seconds."""
+    st.session_state[_KEY] = shared().open_class(lifetime, find_ip_address()).key
 
 
 def take_seat(code: str) -> None:
@@ -136,7 +136,7 @@ def take_seat(code: str) -> None:
     for entry in (_SEAT, _AWAITED):
         st.session_state.pop(entry, None)
     try:
-        st.session_state[_SEAT] = shared().join(code, hash_browser(name, code), find_network())
+        st.session_state[_SEAT] = shared().join(code, hash_browser(name, code), find_ip_address())
     except CrowdError:
         st.session_state[_AWAITED] = read_code(code)
         raise
@@ -155,7 +155,7 @@ def has_no_storage() -> bool:
     return address.current(FRAME) == NOTHING_STORED and NAME not in st.context.cookies
 
 
-def find_network() -> str:
+def find_ip_address() -> str:
     """Return the visitor’s IP address.
 
     For a direct connection it is the address of the other end. For a connection from a proxy it is the last address in

@@ -60,9 +60,10 @@ def draw(svg: str, *, alt: str, style: str) -> None:
     ----------
     svg : the drawing
     alt : its text alternative; empty if another element of the page contains it
-    style : CSS rules for its position and size
+    style : CSS rules for its position and width
     """
     source = f"data:image/svg+xml;base64,{b64encode(svg.encode()).decode()}"
-    # Streamlit's rule never enlarges an image, and WebKit assumes a small size for an SVG.
+    # Streamlit's own rule, object-fit: scale-down, never draws an image larger than its size in the file. WebKit
+    # assumes a small one for an SVG.
     style = f"object-fit:contain;{style}"
     st.markdown(f'<img alt="{alt}" src="{source}" style="{style}">', unsafe_allow_html=True)

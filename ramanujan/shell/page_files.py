@@ -24,6 +24,8 @@ _STREAMLIT_PATHS = {"_stcore", "media", "component", "static", "app", "auth", "o
 
 
 class _File(NamedTuple):
+    """A response: its body, the body compressed by gzip, the headers of both, and the status code."""
+
     content: bytes
     compressed: bytes
     headers: dict[str, str]

@@ -103,6 +103,7 @@ _COMPRESSION, _RADIUS = _("compression at release"), _("radius of the rollers")
 PARAMETERS = {
     parameter.name: parameter
     for parameter in (
+        # Name, symbol, meaning, unit, least, most, default, step, format, scale.
         Parameter("m", "m", _BLOCK, "kg", 0.5, 5.0, 1.0, 0.01, "%.2f", short=_("block, slab, top")),
         Parameter("m_prime", "m′", _ROLLER, "kg", 0.05, 10.0, 1.0, 0.01, "%.2f", short=_("each lower roller")),
         Parameter("k", "k", _("stiffness of the spring"), "N/m", 1.0, 200.0, 10.0, 0.5, "%.1f", short=_("stiffness")),

@@ -29,13 +29,14 @@ PRESETS = {
     "reset": _("Reset"),
 }
 _RATIOS = {"equal": 1.0, "unit": UNIT_MASS_RATIO, "light": 0.1, "heavy": 5.0}
+_FIRST_BOX = "m"
+"""Key of the first slider, where a message about several sliders is shown."""
 _PRESET = "preset"
 _REQUESTS = "requests"
 """Session state: requests from a box, a preset or a button, for the next run.
 
-Each is a `partial`, because `begin` sorts them by their function.
-
-The list is changed in place, so that an interrupted run loses no request.
+Each request is a `partial`, because `begin` sorts the requests by their function. The list is changed in place, so that
+an interrupted run loses no request.
 """
 _PROCESSED = "processed_texts"
 """Session state: number of texts of the boxes that `set_number` has processed."""
@@ -113,19 +114,19 @@ def end() -> None:
     pending_updates.draw()
 
 
-def rerun_only(*fragments: str) -> None:
-    """Let a slider rerun only these fragments of the page. Call it after the whole page is drawn.
+def set_dependent_fragments(*fragments: str) -> None:
+    """Let a slider rerun only these fragments of the page. Call this function after the whole page is drawn.
 
     Parameters
     ----------
-    fragments : keys of the fragments that depend on the machine. One of them publishes the result of
-        `collect_box_messages`, because the boxes of the sliders are not redrawn.
+    fragments : keys of the fragments that depend on the machine. At least one fragment must publish the result of
+        `collect_box_messages`: the boxes of the sliders are outside of all fragments, so only a message updates them.
     """
     st.session_state[_FRAGMENTS] = fragments
 
 
 def collect_box_messages() -> dict[str, object]:
-    """Return the messages to the boxes of the sliders, by topic of the page’s bus."""
+    """Return topic → value to publish in the browser (bus.js) for the number box of each slider."""
     processed = st.session_state.get(_PROCESSED, 0)
     values = {key: parameter.value for key, parameter in PARAMETERS.items()}
     return {
@@ -184,7 +185,7 @@ def compression() -> float:
 
 
 def request_number(key: str, text: str) -> None:
-    """Request the text in the box of a parameter, in a callback. The next run parses it."""
+    """Callback: request the text in the box of a parameter. The next run parses it."""
     _requests().append(partial(set_number, key, text))
 
 
@@ -226,7 +227,7 @@ def _set_ratio(ratio: float, digits: int) -> None:
                 ratio=format_number(bound / new_m, 3)
             )
         )
-    messages.note("m", " ".join(sentences))
+    messages.note(others.name, " ".join(sentences))
 
 
 def request_machine(machine: Oscillator, metres: float) -> None:
@@ -257,7 +258,10 @@ def _slider_values(machine: Oscillator, metres: float) -> dict[str, float]:
 
 
 def _reset() -> None:
-    """Reset all parameters to the values in the link, or if they have these, to the defaults. Show which."""
+    """Reset all parameters to the values in the link, or to the defaults if they have the values in the link.
+
+    A message names the new values, if the link sets a parameter.
+    """
     defaults = {parameter.name: parameter.default for parameter in PARAMETERS.values()}
     linked = st.session_state.get(_LINKED, defaults)
     has_linked_values = all(PARAMETERS[key].value == value for key, value in linked.items())
@@ -265,9 +269,10 @@ def _reset() -> None:
     if linked == defaults:
         return
     if has_linked_values:
-        messages.note("m", _("All values are now the app’s own. Press Reset again for the values of your link."))
+        messages.note(_FIRST_BOX, _("All values are now the app’s own. Press Reset again for the values of your link."))
     else:
-        messages.note("m", _("All values are now those of your link. Press Reset again for the app’s own values."))
+        sentence = _("All values are now those of your link. Press Reset again for the app’s own values.")
+        messages.note(_FIRST_BOX, sentence)
 
 
 def _request_preset() -> None:
@@ -304,6 +309,9 @@ def set_number(key: str, text: str) -> None:
 
 
 def _multiply(ratio: float, m: float, digits: int) -> float:
-    """Return εm to this number of digits. A short ratio gives a product without the noise of binary fractions."""
-    short = ratio == float(f"{ratio:.6g}")
-    return float(f"{ratio * m:.{min(digits, 12) if short else digits}g}")
+    """Return εm with this number of significant digits.
+
+    For a ratio with at most six digits, twelve digits remove the rounding error of binary fractions.
+    """
+    has_few_digits = ratio == float(f"{ratio:.6g}")
+    return float(f"{ratio * m:.{min(digits, 12) if has_few_digits else digits}g}")

@@ -1,7 +1,7 @@
 """The start page: Streamlit's own page, with the app's fonts, style sheets and first modules.
 
-If Streamlit loaded them, they would arrive after the first headings, on a slow computer seconds later. Then the page
-would jump.
+If Streamlit loaded these files, they would arrive after the first headings, on a slow computer seconds later. Then the
+page would jump.
 """
 
 import re
@@ -23,10 +23,11 @@ _FIRST_MODULES = ("begin", "components/services", "components/publish", "stage/s
 
 
 def content_security_policy() -> str:
-    """Return the content security policy: only files of the app's server, and blobs that its scripts create.
+    """Return the content security policy: only files of the app's server, data URLs, and blobs of the page's scripts.
 
-    Streamlit imports the scripts of components from blobs and computes with WebAssembly. It and Plotly write style
-    rules into the page. Of the inline scripts, only those of the start page may run.
+    Streamlit imports the scripts of components from blobs and computes with WebAssembly. Streamlit and Plotly write
+    style rules into the page. Data URLs contain images, never scripts. Of the inline scripts, only those of the start
+    page may run.
     """
     inline = re.findall(rb"<script>(.*?)</script>", html(has_formulas=True), re.DOTALL)
     hashes = " ".join(f"'sha256-{b64encode(sha256(script).digest()).decode()}'" for script in inline)
@@ -62,5 +63,5 @@ def html(*, has_formulas: bool) -> bytes:
     # frame.js runs before Streamlit's own scripts, which read the address.
     page = page.replace(b"<head>", f"<head><script>{_FRAME.read_text(encoding='utf-8')}</script>".encode(), 1)
     page = _STREAMLIT_PRELOAD.sub("".join(preloads).encode(), page, count=1)
-    # Append them to the body: Streamlit adds its rules to the head, and the later of two equal rules applies.
+    # Append the sheets to the body: Streamlit adds its rules to the head, and the later of two equal rules applies.
     return page.replace(b"</body>", "".join([*links, *scripts, "</body>"]).encode(), 1)

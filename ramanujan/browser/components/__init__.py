@@ -43,7 +43,7 @@ from ramanujan.browser import modules
 from ramanujan.translation import _, menu_languages
 
 
-def mount_services(theme: str, waits: bool, on_moving: Callable[[], None]) -> bool:
+def mount_services(theme: str, rest_waits: bool, on_moving: Callable[[], None]) -> bool:
     """Mount the services of every page, before all other elements. Return whether the page's machine moves.
 
     services.js lists the services. Among them are:
@@ -58,12 +58,13 @@ def mount_services(theme: str, waits: bool, on_moving: Callable[[], None]) -> bo
     Parameters
     ----------
     theme : theme of this run, light or dark
-    waits : whether the page requests a second run once the machine of the first page has drawn its first frame
+    rest_waits : whether the page requests its other elements in a second run, once the machine of the first page has
+        drawn its first frame
     on_moving : called before the second run
     """
     data = {
         "theme": theme,
-        "waits": waits,
+        "rest_waits": rest_waits,
         "away": _("Reconnecting to the server. The page keeps everything that you set."),
         "label": _("Wide content: scroll it with the arrow keys"),
         "ring": {"stage": "oscillator", "label": _("Your machine: ε = {ratio}, Ω²m/k = {normalized}")},

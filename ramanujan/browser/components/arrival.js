@@ -7,7 +7,7 @@ const PATIENCE = 10000; // ms after which the second run is requested even if no
 export default function (component, signal) {
   let isRequested = false;
   const request = () => {
-    if (isRequested || !component.data.waits) return;
+    if (isRequested || !component.data.rest_waits) return;
     isRequested = true;
     component.setStateValue("moving", true);
   };

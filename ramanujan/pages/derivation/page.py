@@ -74,7 +74,7 @@ def show() -> None:
         draw_section()
     components.return_focus("route", "show", "values", "masses")
     if not setting.numbers:
-        sidebar.rerun_only("beside", "results", "modes", "asked_machine")
+        sidebar.set_dependent_fragments("beside", "results", "modes", "asked_machine")
 
 
 # ---- display options
@@ -134,18 +134,18 @@ def draw_options() -> None:
 
 
 def select_first_step() -> None:
-    """Select the first step of the new route, in a callback."""
+    """Callback: select the first step of the new route."""
     st.session_state[STEP.name] = 1
 
 
 def keep_step_in_range() -> None:
-    """Keep the current step for other masses, or select the last one if there are fewer steps."""
+    """Callback: keep the current step for other masses, or select the last step if there are fewer steps."""
     steps = cache.route(address.current(ROUTE), address.current(MASSES) == "equal").steps
     st.session_state[STEP.name] = min(address.current(STEP), len(steps))
 
 
 def select_step(route: str, step: int) -> None:
-    """Write the selected step into the address. Ignore a late message about another route."""
+    """Callback: store the selected step. Ignore a late message about another route."""
     if route == address.current(ROUTE):
         st.session_state[STEP.name] = step
 

@@ -4,7 +4,7 @@
     draw_door()   the controls to open a class or to join one
     draw_desk()   on the page of a stop: the lecturer's desk
 
-Every screen polls the class every few seconds. A poll is a single read of the database.
+Every screen reads the state of the class every few seconds, by a single query of the database.
 """
 
 import time
@@ -27,11 +27,11 @@ from ramanujan.shell.class_session import leave, lecturer_key, open_class, run_o
 from ramanujan.translation import _, ngettext
 
 DESK_INTERVAL, PHONE_INTERVAL = 2.0, 2.5
-"""Interval at which a desk or a phone polls the class [s]."""
+"""Interval at which a desk or a phone reads the state of the class [s]."""
 
 _LONGEST_CODE = 20
 """Largest length of a typed code."""
-NOTHING_TO_SET = """<style>@media (width < 1000px) {
+HIDDEN_DRAWER = """<style>@media (width < 1000px) {
   :root:root:root { --drawer: 0px; --drawer-content: none; .st-key-bar { display: none; } }
 }</style>"""
 """A style rule that hides drawer and bar on a student's phone. In page.css it would need :has(), which is slow."""
@@ -75,10 +75,10 @@ def _draw_student_page(seat: Seat, show: Callable[..., None]) -> None:
     st.session_state[_DRAWN] = visible
     st.session_state[_OPEN] = question is not None
     with st.container(key="class_phone"):
-        st.html(NOTHING_TO_SET)
+        st.html(HIDDEN_DRAWER)
         above = st.container()
         # Call the fragment before the machine is drawn, because a rerun may interrupt this run before its end.
-        _draw_seat()
+        _draw_live_question()
         below = st.container()
         _draw_leave_button()
     if visible:
@@ -135,9 +135,9 @@ def _explain_class() -> None:
         for icon, sentence in screens:
             st.markdown(f"{icon} {sentence}")
     days = {seconds: round(seconds / DAY) for seconds in LIFETIMES}
-    words = {seconds: ngettext("{n} day", "{n} days", n).format(n=n) for seconds, n in days.items()}
+    labels = {seconds: ngettext("{n} day", "{n} days", n).format(n=n) for seconds, n in days.items()}
     with st.container(horizontal=True, vertical_alignment="bottom"):
-        lifetime = st.selectbox(_("Keep the answers for"), LIFETIMES, format_func=words.__getitem__, key="class_kept")
+        lifetime = st.selectbox(_("Keep the answers for"), LIFETIMES, format_func=labels.__getitem__, key="class_kept")
         st.button(
             _("Open a class"), key="class_open", type="primary", on_click=run_or_refuse, args=(open_class, lifetime)
         )
@@ -194,25 +194,25 @@ def _draw_live_desk(stop: Stop | None, phase: Phase) -> None:
         _draw_error()
         try:
             shared().find_code(key)
-            current, last = class_session.read_question(code), shared().read_last_state(code, place)
+            current, stop_state = class_session.read_question(code), shared().read_last_state(code, place)
         except ClassError as error:
             st.warning(str(error))
             st.button(_("Leave this class"), key="class_leave", on_click=leave)
             return
         _follow_desk(current, place)
-        current_phase = last.phase if last else Phase.ASKED
+        current_phase = stop_state.phase if stop_state else Phase.ASKED
         if current_phase != phase:
             st.rerun()
         recent = class_results.recent_sentence(shared().count_seats(key))
         st.markdown(f"**{_attendance_sentence(place, current)}** {recent}")
         with st.container(key="class_moves", horizontal=True, gap="small"):
-            _draw_moves(key, stop, current, last)
+            _draw_moves(key, stop, current, stop_state)
         if stop is None:
             class_results.draw_whole_lesson(code)
-        elif last and last.phase > Phase.ASKED:
-            class_results.show(code, stop, last.vote, last.phase == Phase.SOLVED)
-            if last.phase == Phase.SOLVED:
-                class_results.draw_commonest_mistake(code, stop, last.vote)
+        elif stop_state and stop_state.phase > Phase.ASKED:
+            class_results.show(code, stop, stop_state.vote, stop_state.phase == Phase.SOLVED)
+            if stop_state.phase == Phase.SOLVED:
+                class_results.draw_commonest_mistake(code, stop, stop_state.vote)
         else:
             st.markdown("\n".join(f"- {label}" for label in stop.options.values()))
         with st.container(key="class_foot", horizontal=True, vertical_alignment="center"):
@@ -278,7 +278,7 @@ class _Move:
         )
 
 
-def _draw_moves(key: str, stop: Stop | None, current: ClassQuestion, last: ClassQuestion | None) -> None:
+def _draw_moves(key: str, stop: Stop | None, current: ClassQuestion, stop_state: ClassQuestion | None) -> None:
     """Draw a button for each possible move. A clicker presses the first two: back and forward.
 
     Parameters
@@ -286,7 +286,7 @@ def _draw_moves(key: str, stop: Stop | None, current: ClassQuestion, last: Class
     key : the lecturer's key
     stop : the stop of this desk, None at the end
     current : the current question of the class
-    last : the last state of this stop in the class, None if the class was never at this stop
+    stop_state : the last state of this stop in the class, None if the class was never at this stop
     """
     st.html(KEY_NAMES)
     place = stop.id if stop else END
@@ -295,22 +295,22 @@ def _draw_moves(key: str, stop: Stop | None, current: ClassQuestion, last: Class
     back = _Move(_("Go back"), "back", _go_back, (place,))
     back.draw(key, shortcut="PageUp", disabled=not can_go_back)
     is_over = current.stop == place == END
-    forward = _choose_forward_move(stop, current, last)
+    forward = _choose_forward_move(stop, current, stop_state)
     forward.draw(key, shortcut="PageDown", is_primary=True, disabled=is_over)
-    if stop and current.stop != place and last:
+    if stop and current.stop != place and stop_state:
         ask_anew = partial(shared().ask, anew=True)
         _Move(_("Ask this question again"), "anew", ask_anew, (place, list(stop.options))).draw(key)
     if current.stop == place != END and not current.vote.is_second and current.reached < Phase.RUNNING:
         _Move(_("Ask again"), "again", shared().begin_second_vote).draw(key)
 
 
-def _choose_forward_move(stop: Stop | None, current: ClassQuestion, last: ClassQuestion | None) -> _Move:
+def _choose_forward_move(stop: Stop | None, current: ClassQuestion, stop_state: ClassQuestion | None) -> _Move:
     """Return the move of the forward button. The parameters are those of `_draw_moves`."""
     finish = _Move(_("Show what the class has learned"), "finish", _show_end)
     if stop is None:
         return finish
     if current.stop != stop.id:
-        label = _("Return to this question") if last else _("Ask the class")
+        label = _("Return to this question") if stop_state else _("Ask the class")
         return _Move(label, "ask", _show_stop, (stop,))
     if current.phase == Phase.SOLVED:
         following = progress.find_next_stop(stop)
@@ -440,7 +440,7 @@ def _draw_waiting() -> None:
     if code is None:
         st.rerun()
     with st.container(key="class_phone"):
-        st.html(NOTHING_TO_SET)
+        st.html(HIDDEN_DRAWER)
         st.title(_("Class {code}").format(code=group_code(code)), anchor=False)
         st.info(class_session.read_refusal())
         _draw_leave_button()
@@ -452,8 +452,8 @@ def _draw_leave_button() -> None:
 
 
 @st.fragment(run_every=PHONE_INTERVAL)
-def _draw_seat() -> None:
-    """Draw the current question of the student, and poll the class every few seconds for a new one."""
+def _draw_live_question() -> None:
+    """Draw the current question of the student, and read the class every few seconds for a new one."""
     seat = student_seat()
     if seat is None:
         st.rerun()
@@ -576,7 +576,7 @@ def _draw_open_vote(stop: Stop, question: ClassQuestion, chosen: str | None) -> 
 
 
 def _vote(key: str, stop: str, vote: Vote) -> None:
-    """Vote for the option that the widget with this key has selected, in a callback."""
+    """Callback: store the option that is selected in the widget with this key, as an answer in this vote."""
     seat = student_seat()
     if seat:
         run_or_refuse(shared().vote, seat, stop, st.session_state[key], vote)

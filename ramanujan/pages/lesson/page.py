@@ -35,7 +35,7 @@ def show() -> None:
         exercise.draw_exercise(items)
     else:
         draw_parts()
-    # These include the parameters of parts that are hidden now.
+    # Also write the parameters of parts that are hidden now.
     address.update(*URL_PARAMETERS)
 
 
@@ -60,6 +60,7 @@ def uses_sidebar() -> bool:
 
 def withheld_presets() -> tuple[str, ...]:
     """Return the presets that the sidebar omits: all, except at a stop whose right answer is visible."""
+    # The sidebar is drawn before the page. In the first run the role is still only in the address.
     class_session.restore_role()
     if address.current(exercise.EXERCISE):
         return tuple(sidebar.PRESETS)
@@ -100,7 +101,7 @@ def draw_stops(head: st.delta_generator.DeltaGenerator) -> None:
 
 
 def select_stop(name: str) -> None:
-    """Select a stop or the end, in a callback."""
+    """Callback: select a stop or the end."""
     stops.clear_confirmation()
     st.session_state[progress.STOP.name] = name
     if name != progress.END:

@@ -64,14 +64,14 @@ def is_running(phase: str) -> bool:
 
 
 def set_prediction(stop: Stop, option: str | None, phase: str) -> None:
-    """Make, delete or advance a prediction, in a callback."""
+    """Callback: make, delete or advance a prediction."""
     clear_confirmation()
     progress.predict(stop, option, phase)
     load_machine(stop, is_running(phase))
 
 
 def needs_confirmation(stop: Stop) -> bool:
-    """Return whether the reader has to confirm that a prediction stays unchecked. Return True only once for a stop."""
+    """Return whether the reader has to confirm that a prediction stays unchecked. This is True only once for a stop."""
     _option, phase = progress.read_prediction(stop)
     is_unchecked = phase == progress.PREDICTED and class_session.find_phase(stop) is None
     if not is_unchecked or confirmed_stop() == stop.id:
@@ -96,7 +96,7 @@ def are_sliders_open() -> bool:
 
 
 def _open_sliders() -> None:
-    """Open the sliders of the sidebar, in a callback. Each new count makes the page show them again."""
+    """Callback: open the sliders of the sidebar. Each new count makes the page show them again."""
     st.session_state[_SLIDERS] = st.session_state.get(_SLIDERS, 0) + 1
 
 

@@ -24,17 +24,17 @@ WALL_STYLE = (
 A style sheet for all pages would need :has(), which adds 2 s to the loading time of Motion.
 """
 
-_POLLS = "wall_polls"
-"""Session state: the state of the class, and how often the wall has read it without a change."""
+_READS = "wall_reads"
+"""Session state: the last state of the class → how often the wall has read that state again."""
 _REDRAW_AFTER = 6
-"""Number of polls after which the wall is redrawn once.
+"""Number of unchanged reads after which the wall is redrawn once.
 
 A busy server can lose elements of a run if the page requests the next run meanwhile (streamlit#9921).
 """
 
 
 def draw_wall() -> None:
-    """Draw the wall and end the run, if this session is one; for others do nothing."""
+    """Draw the wall and end the run, if this session is the wall of a class; for others do nothing."""
     code = class_session.wall_code()
     if code:
         _draw(code)
@@ -48,7 +48,7 @@ def _draw(code: str) -> None:
         try:
             question = class_session.read_question(code)
         except ClassError:
-            st.session_state.pop(_POLLS, None)
+            st.session_state.pop(_READS, None)
             _follow_class(code)
             st.button(_("Leave this class"), key="class_leave", on_click=class_session.leave)
             return
@@ -88,20 +88,20 @@ def _draw_question(code: str, stop: Stop, question: ClassQuestion) -> None:
 def _follow_class(code: str) -> None:
     """Draw the numbers that change often. Rerun the page when the class moves on or ends.
 
-    A further rerun, `_REDRAW_AFTER` polls later, restores elements that a busy server may have lost. The fragment also
-    mirrors the desk's view and sliders.
+    A further rerun, after `_REDRAW_AFTER` unchanged reads, restores elements that a busy server may have lost. The
+    fragment also mirrors the desk's view and sliders.
     """
     try:
         current = class_session.read_question(code)
     except ClassError as error:
-        if st.session_state.pop(_POLLS, None):
+        if st.session_state.pop(_READS, None):
             st.rerun()
         st.warning(str(error))
         return
     state = (current.stop, current.vote, current.phase)
-    polls = st.session_state.get(_POLLS, {}).get(state, -1) + 1
-    st.session_state[_POLLS] = {state: polls}
-    if polls in (0, _REDRAW_AFTER) or class_session.settings_differ(shared().read_machine(code)):
+    unchanged_reads = st.session_state.get(_READS, {}).get(state, -1) + 1
+    st.session_state[_READS] = {state: unchanged_reads}
+    if unchanged_reads in (0, _REDRAW_AFTER) or class_session.settings_differ(shared().read_machine(code)):
         st.rerun()
     class_session.show_desk_view(code)
     with st.container(key="class_wall_foot", horizontal=True, vertical_alignment="center", gap="large"):

@@ -70,5 +70,5 @@ def _results(motion: Record, friction_coefficient: float) -> list[tuple[str, Cel
 
 
 def _rename(names: dict[str, str], values: dict[str, Value]) -> dict[str, Value]:
-    """Return the values under the names of their keys."""
+    """Return the values with each key replaced by its name in `names`."""
     return {names[key]: value for key, value in values.items()}

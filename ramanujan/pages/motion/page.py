@@ -96,7 +96,7 @@ def draw_verdict(friction: Friction, compression: float) -> None:
 
 
 def offer_pause(motion: Record) -> None:
-    """Offer a button that stops at the instant at which a contact needs the most friction."""
+    """Offer a button that pauses the motion at the instant at which a contact needs the most friction."""
     instant, contact = greatest_friction(motion)
     label = _("Pause at the greatest friction ({contact}, t\u00a0=\u00a0{time})").format(
         contact=cache.CONTACTS[contact], time=quantity(instant, "s", 3)

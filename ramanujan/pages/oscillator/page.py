@@ -32,11 +32,11 @@ def warm_up() -> None:
 
 
 def draw_header() -> bool:
-    """Draw the machine with the controls and return True. The projector view has no room for them: return False."""
+    """Draw the machine with the controls, and return True. In the projector view draw nothing, and return False."""
     if display_mode.is_projector():
         return False
     draw_composition()
-    if not first_run.only_machine():
+    if not first_run.draws_only_machine():
         sidebar.draw_more(sidebar.PRESETS, ("compression", "radius"))
         sidebar.end()
     return True
@@ -48,7 +48,7 @@ def show() -> None:
         with slide("machine", _("The machine")):
             draw_composition()
     publish_machine()
-    if first_run.only_machine():
+    if first_run.draws_only_machine():
         # Reserve the height of the other elements: a scroll bar that appears later would move the machine.
         st.container(height=5000, border=False)
         return
@@ -57,7 +57,7 @@ def show() -> None:
         with slide("curve", _("The curve")):
             draw_curve()
     if display_mode.hides("steps"):
-        sidebar.rerun_only(*dependent_fragments())
+        sidebar.set_dependent_fragments(*dependent_fragments())
     else:
         draw_derivation()
 
@@ -126,7 +126,7 @@ def draw_story_button() -> None:
 
 def draw_lesson_link() -> None:
     """Draw the link to the lesson. In the first run, only reserve its place."""
-    if first_run.only_machine():
+    if first_run.draws_only_machine():
         st.empty()
         return
     st.page_link(navigation.PAGES["lesson"].file, label=_("New to this? Take the lesson"), width="content")
@@ -178,7 +178,7 @@ def compare_with_plain_mass(machine: Oscillator) -> str:
 
 
 def set_clicked_ratio(point: dict[str, float]) -> None:
-    """Set the mass ratio of the clicked point: exact near a mark, elsewhere with three significant digits."""
+    """Callback: set the mass ratio of the clicked point, exact near a mark, elsewhere with three significant digits."""
     curve = cache.curve()
     for mark in (curve.equal, curve.unit):
         if math.isclose(point["x"], mark.ratio, rel_tol=0.02):
@@ -210,11 +210,11 @@ def draw_six_steps() -> None:
     fragments = dependent_fragments()
     if shows_steps:
         fragments.append("steps")
-    sidebar.rerun_only(*fragments)
+    sidebar.set_dependent_fragments(*fragments)
 
 
 def draw_step(n: int, step: cache.SummaryStep, numbers: Numbers | None) -> None:
-    """Explain a line of the short derivation, with its results for the current machine."""
+    """Explain line n of the short derivation, with its results for the current machine."""
     for index, detail in enumerate(step.steps):
         st.markdown(detail.reason)
         draw_equations(f"{n}_{index}", detail.details)
@@ -222,7 +222,7 @@ def draw_step(n: int, step: cache.SummaryStep, numbers: Numbers | None) -> None:
 
 
 def draw_numbers(n: int, rows: Sequence[Row], width: int = cache.LINE_WIDTH, stated: str = "") -> None:
-    """Draw equations with the current numbers, if there are any."""
+    """Draw the equations of line n with the current numbers, if there are any. `stated` names these numbers."""
     if rows:
         heading = _("Your machine")
         st.markdown(f"### {heading}\n{stated}")

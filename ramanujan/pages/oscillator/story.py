@@ -86,13 +86,15 @@ def make_story(start: float) -> tuple[Scene, ...]:
     )
     # Too heavy rollers lose the turns that the other scenes gain.
     gained = sum(map(turns_in_scene, (*ahead, back)))
-    rest = gained / -float(turns_gained(_TOO_HEAVY))
+    too_heavy_periods = gained / -float(turns_gained(_TOO_HEAVY))
     return (
         _still_scene(heavy, start, wait),
         lighter,
         _still_scene(_("Here both hands turn together."), UNIT_MASS_RATIO, 2),
         *ahead,
-        _still_scene(_("Too heavy: in {periods} periods the machine falls one full turn behind."), _TOO_HEAVY, rest),
+        _still_scene(
+            _("Too heavy: in {periods} periods the machine falls one full turn behind."), _TOO_HEAVY, too_heavy_periods
+        ),
         back,
     )
 

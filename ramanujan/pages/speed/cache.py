@@ -55,8 +55,11 @@ SWEEP_VARIABLES = {
 
 PERIODS = (1, 3, 10, 30, 100, 300)
 """The numbers of periods that a visitor can select."""
-_PARTS = (1, 3, *range(10, PERIODS[-1] + 1, 10))
-"""Numbers of periods after which the runs of a diagram are cached. Each part takes some tenths of a second."""
+_CACHED_PERIODS = (1, 3, *range(10, PERIODS[-1] + 1, 10))
+"""Checkpoints: the runs of a diagram are integrated and cached in parts that end after these numbers of periods.
+
+Each part takes some tenths of a second.
+"""
 
 _CURVES = [(method, dtype) for dtype in DTYPES for method in METHODS]
 """The curves of a work-precision diagram."""
@@ -85,21 +88,21 @@ def parts_of_diagram(periods: int) -> list[Callable[[], object]]:
     """Return the parts of a work-precision diagram as calls of cached functions: first errors, then times."""
     parts: list[Callable[[], object]] = []
     for method, dtype in _CURVES:
-        parts += [partial(errors, method, dtype, part) for part in _PARTS if part <= periods]
-    parts.append(partial(closed, periods))
+        parts += [partial(errors, method, dtype, part) for part in _CACHED_PERIODS if part <= periods]
+    parts.append(partial(closed_form, periods))
     parts += [partial(_step_seconds, method, dtype) for method, dtype in _CURVES]
     return parts
 
 
 def diagram(periods: int) -> list[WorkPrecision]:
     """Return the curves of the work-precision diagram, with the last measured times."""
-    return [replace(errors(*curve, periods), step=_step_seconds(*curve)) for curve in _CURVES]
+    return [replace(errors(*curve, periods), step_timing=_step_seconds(*curve)) for curve in _CURVES]
 
 
-@st.cache_resource(show_spinner=False, max_entries=2 * len(METHODS) * len(_PARTS))
+@st.cache_resource(show_spinner=False, max_entries=2 * len(METHODS) * len(_CACHED_PERIODS))
 def errors(method: str, dtype: str, periods: int) -> WorkPrecision:
-    """Return the runs of one method. They continue the cached runs with fewer periods."""
-    shorter = max((part for part in _PARTS if part < periods), default=None)
+    """Return the runs of one method for a number of periods. They continue the cached runs with fewer periods."""
+    shorter = max((part for part in _CACHED_PERIODS if part < periods), default=None)
     previous = None if shorter is None else errors(method, dtype, shorter)
     last_pause = time.monotonic()
 
@@ -120,7 +123,7 @@ def _step_seconds(method: str, dtype: str) -> Timing:
 
 
 @st.cache_resource(show_spinner=False, max_entries=len(PERIODS))
-def closed(periods: int) -> ClosedForm:
+def closed_form(periods: int) -> ClosedForm:
     """Return error and time [s] of the closed form."""
     with _MEASURING:
         return measure_closed_form(Oscillator(), [periods])[0]
@@ -129,7 +132,7 @@ def closed(periods: int) -> ClosedForm:
 def forget_seconds() -> None:
     """Clear the measured times. Errors and evaluations do not change."""
     _step_seconds.clear()
-    closed.clear()
+    closed_form.clear()
 
 
 @st.cache_resource(show_spinner=_("Computing all powers of ten …"), max_entries=1)
@@ -184,8 +187,8 @@ def phases_figure(machine: Oscillator, colors: dict[str, str]) -> EncodedFigure:
     """Return the figure of the phase errors in the given colours."""
     errors_by_periods = phases(machine)
     curves = {
-        _("Ω·<i>t</i> in float32"): [p.float32 for p in errors_by_periods],
-        _("Ω·<i>t</i> in float64"): [p.float64 for p in errors_by_periods],
-        _("whole turns subtracted first"): [p.reduced for p in errors_by_periods],
+        _("Ω·<i>t</i> in float32"): [entry.float32 for entry in errors_by_periods],
+        _("Ω·<i>t</i> in float64"): [entry.float64 for entry in errors_by_periods],
+        _("whole turns subtracted first"): [entry.reduced for entry in errors_by_periods],
     }
-    return figures.draw_phase_errors([p.periods for p in errors_by_periods], curves, colors)
+    return figures.draw_phase_errors([entry.periods for entry in errors_by_periods], curves, colors)

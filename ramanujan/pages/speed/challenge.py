@@ -22,7 +22,7 @@ from ramanujan.translation import _
 
 TASK = lesson.find_task("cheapest")
 METHOD = address.Choice("method", {name: method.title for name, method in METHODS.items()}, "velocity_verlet")
-STEPS = address.Count("steps", STEPS_PER_PERIOD[-1], 12, STEPS_PER_PERIOD[0])
+STEPS = address.Count("steps", STEPS_PER_PERIOD[-1], default=12, least=STEPS_PER_PERIOD[0])
 TRIES = address.Several("tries", tuple(f"{method}.{steps}" for method in METHODS for steps in STEPS_PER_PERIOD))
 
 _RUN = "speed_run"
@@ -35,18 +35,18 @@ _ANIMATION = 12.0
 
 def draw() -> None:
     """Draw the challenge and its result."""
-    projector = display_mode.is_projector()
-    if projector:
+    is_projector = display_mode.is_projector()
+    if is_projector:
         draw_question()
-    words, picture = st.container(key="beside").columns([5, 4] if projector else [4, 5], gap="small")
+    words, picture = st.container(key="beside").columns([5, 4] if is_projector else [4, 5], gap="small")
     with words:
         with container("lead", "question"):
-            if not projector:
+            if not is_projector:
                 draw_question()
             st.markdown(TASK.text)
         with st.container(horizontal=True, vertical_alignment="bottom", gap="xsmall"):
             method = widgets.selectbox(METHOD, _("Method"), width="stretch")
-            steps = widgets.count(STEPS, _("Steps per period"), width=190 if projector else "stretch")
+            steps = widgets.count(STEPS, _("Steps per period"), width=190 if is_projector else "stretch")
         label = _("Run {periods} periods").format(periods=PERIODS)
         st.button(
             label, key="run", type="primary", icon=":material/play_arrow:", on_click=_add_attempt, args=(method, steps)
@@ -114,7 +114,7 @@ def draw_diagram() -> None:
 
 
 def _add_attempt(method: str, steps: int) -> None:
-    """Append an attempt to those in the address, in a callback. A repeated attempt moves to the end."""
+    """Callback: append an attempt to the list in the address. A repeated attempt moves to the end."""
     st.session_state[_RUN] = st.session_state.get(_RUN, 0) + 1
     attempt = f"{method}.{steps}"
     others = [tried for tried in address.current(TRIES) if tried != attempt]

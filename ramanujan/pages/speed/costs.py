@@ -54,7 +54,7 @@ def draw_controls(is_requested: bool) -> tuple[str, float]:
 
 
 def _request_measurement() -> None:
-    """Request the diagram, in a callback. A second request repeats the measurement of times."""
+    """Callback: request the diagram. A second request repeats the measurement of times."""
     if st.session_state.get(_REQUESTED):
         cache.forget_seconds()
     st.session_state[_REQUESTED] = True
@@ -96,7 +96,7 @@ def draw_diagram(periods: int, by: str, tolerance: float) -> None:
     by : kind of cost, an option of `COST`
     tolerance : error that the visitor allows, relative to the amplitude
     """
-    curves, closed = cache.diagram(periods), cache.closed(periods)
+    curves, closed = cache.diagram(periods), cache.closed_form(periods)
     ranked = cheapest(curves, tolerance, by)
     sentence = verdicts.recommend_run(ranked, tolerance, by, closed)
     words, figure = columns("costs")

@@ -210,5 +210,10 @@ def _describe_rounding() -> dict[str, object]:
 
 
 def _fewest_points(distances: Mapping[int, float]) -> tuple[int, float]:
-    """Return the fewest points that draw a curve to half a pixel, and the remaining distance [pixels]."""
+    """Return the smallest number of points that draw a curve to within half a pixel, and their error [pixels].
+
+    Parameters
+    ----------
+    distances : number of points, ascending → largest distance from the curve [pixels]
+    """
     return next((points, distance) for points, distance in distances.items() if distance < 0.5)

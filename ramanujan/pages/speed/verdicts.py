@@ -100,7 +100,15 @@ def _describe_phase(error: float) -> str:
 
 
 def recommend_run(choices: Sequence[CheapestRun], tolerance: float, by: str, exact: ClosedForm | None) -> str:
-    """Name the cheapest run within the tolerance, its cost, and the cost of the closed form."""
+    """Name the cheapest run within the tolerance, its cost, and the cost of the closed form.
+
+    Parameters
+    ----------
+    choices : the cheapest run of each method and precision, the cheapest of all first
+    tolerance : largest error, relative to the amplitude
+    by : kind of cost, "evaluations" or "seconds"
+    exact : the measured closed form, None without a measurement
+    """
     sentences = [_recommend(choices[0], tolerance, by) if choices else _none_reaches(tolerance)]
     if exact is not None:
         sentence = _("The closed form takes {time} for the last state, and its phase error is {error}\u202frad.")

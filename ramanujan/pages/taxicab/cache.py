@@ -33,7 +33,7 @@ PAPER = BodyChoice()
 
 @st.cache_resource(show_spinner=False)
 def unit_equations() -> tuple[str, ...]:
-    """Return, as LaTeX, the equations from Ω² to the mass ratio at which the paper's machine is in step."""
+    """Return, as LaTeX, the equations from Ω² to the mass ratio at which Ω² = k/m for the paper's machine."""
     steps = route("euler_lagrange")
     frequency = steps["ratio"].equations[-1]
     condition = steps["unit"].equations[-1]
@@ -52,7 +52,7 @@ def discriminant_written_out() -> tuple[str, str]:
 
 
 @dataclass(frozen=True)
-class Story:
+class Results:
     """The results for bodies and a target. The texts are LaTeX.
 
     Parameters
@@ -75,12 +75,12 @@ class Story:
 
 
 @st.cache_data(show_spinner=False, max_entries=512)
-def story(left: str, right: str, top: str, p: int = 1, q: int = 1) -> Story:
-    """Return the story of the machine with these bodies and the target Ω²m/k = p/q; ValueError as in `BodyChoice`."""
+def results(left: str, right: str, top: str, p: int = 1, q: int = 1) -> Results:
+    """Return the results for these bodies and the target Ω²m/k = p/q. Raise `ValueError` as `BodyChoice` does."""
     machine = BodyChoice(left, right, top, Fraction(p, q))
     a, b, c = machine.quadratic
     root = (sp.sqrt(machine.discriminant) - b) / (2 * a)
-    return Story(
+    return Results(
         machine=machine,
         quadratic=latex(equation(a * epsilon**2 + b * epsilon + c, sp.S.Zero)),
         root=format_with_decimal(root, 7),
@@ -100,7 +100,8 @@ def machines() -> tuple[BodyChoice, ...]:
 def practical_machines() -> list[tuple[Fraction, Fraction, float]]:
     """Return machines for a workshop, whose mass ratios are the first convergents of the paper's ratio.
 
-    Each is a tuple: mass ratio, exact error in Ω²m/k, and the number of periods until it is one turn off.
+    Each machine is a tuple: its mass ratio, the exact error of its Ω²m/k, and the number of periods of the plain mass
+    until the clock hands are one turn apart.
     """
     machines = []
     for ratio in number_theory.convergents(quotients(5)):

@@ -14,7 +14,7 @@ from ramanujan.numerals import filled, in_latex
 from ramanujan.pages.taxicab import cache
 from ramanujan.shell import address, display_mode, drawings, sidebar, stages, theme, widgets
 from ramanujan.shell.display_mode import slide
-from ramanujan.shell.sections.bodies import PAPER_BODIES, PLACE_WORDS
+from ramanujan.shell.sections.bodies import PAPER_BODIES, PLACE_WORDS, PLACES
 from ramanujan.translation import _, ngettext
 
 WORDS = {"hoop": _("hoop"), "shell": _("shell"), "cylinder": _("cylinder"), "sphere": _("sphere")}
@@ -39,16 +39,16 @@ def draw_other_bodies() -> None:
         )
         draw_options()
         chosen = [address.current(key) for key in URL_PARAMETERS]
-        story = cache.story(*chosen)
+        results = cache.results(*chosen)
         # In the projector view the options need the height of the clocks.
         stages.mount(None, key=STAGE, layers=(), dials=not display_mode.is_projector())
         publish_machine(chosen)
     with slide("forty", _("All machines")):
         table, words = st.columns([1, 1], gap="medium")
         with words:
-            describe_machine(story)
+            describe_machine(results)
         with table:
-            draw_all_machines(story.machine)
+            draw_all_machines(results.machine)
 
 
 def draw_options() -> None:
@@ -63,7 +63,7 @@ def draw_options() -> None:
 
 @st.fragment(key="bodies_machine")
 def publish_machine(chosen: list[str]) -> None:
-    """Publish the machine to the stage and the boxes of the sliders. A slider reruns it without the page."""
+    """Publish the machine to the stage and the boxes of the sliders. A slider reruns this fragment without the page."""
     left, right, top = (float(BODIES[body]) for body in chosen)
     stages.publish(
         stage.payload(
@@ -74,19 +74,19 @@ def publish_machine(chosen: list[str]) -> None:
     )
 
 
-def describe_machine(story: cache.Story) -> None:
+def describe_machine(results: cache.Results) -> None:
     """Describe the machine with the chosen bodies."""
-    machine = story.machine
+    machine = results.machine
     st.markdown(f"**{machine_name(machine)}**")
-    st.latex(story.quadratic)
-    st.latex(rf"\varepsilon = {story.root}")
-    st.latex(story.square)
-    st.markdown(describe_cubes(story))
+    st.latex(results.quadratic)
+    st.latex(rf"\varepsilon = {results.root}")
+    st.latex(results.square)
+    st.markdown(describe_cubes(results))
     describe_current_masses(machine)
     with st.expander(_("The discriminant of the number field")):
         st.markdown(_describe_field(machine))
     with st.container(horizontal=True):
-        st.button(_("Set this mass ratio"), key="own_ratio", on_click=sidebar.request_ratio, args=(story.ratio,))
+        st.button(_("Set this mass ratio"), key="own_ratio", on_click=sidebar.request_ratio, args=(results.ratio,))
         st.button(
             _("Back to the paper’s bodies"), key="paper_bodies", on_click=st.session_state.update, args=(PAPER_BODIES,)
         )
@@ -107,9 +107,9 @@ def describe_current_masses(machine: BodyChoice) -> None:
     )
 
 
-def describe_cubes(story: cache.Story) -> str:
+def describe_cubes(results: cache.Results) -> str:
     """Factor a discriminant, and state whether it is a sum of two cubes."""
-    ways = len(story.machine.cubes)
+    ways = len(results.machine.cubes)
     sentence = _("The discriminant {number} is not a sum of two positive cubes.")
     if ways:
         sentence = ngettext(
@@ -117,9 +117,9 @@ def describe_cubes(story: cache.Story) -> str:
             "The discriminant {number} is a sum of two positive cubes **in {n:word} ways**: ${cubes}$.",
             ways,
         )
-    discriminant = str(story.machine.discriminant)
-    factors = "" if story.factors == discriminant else f" $={story.factors}$"
-    return filled(sentence, number=f"**{discriminant}**{factors}", cubes=story.cubes, n=ways)
+    discriminant = str(results.machine.discriminant)
+    factors = "" if results.factors == discriminant else f" $={results.factors}$"
+    return filled(sentence, number=f"**{discriminant}**{factors}", cubes=results.cubes, n=ways)
 
 
 def _describe_field(machine: BodyChoice) -> str:
@@ -172,13 +172,13 @@ def draw_all_machines(chosen: BodyChoice) -> None:
 
 
 def select_clicked_machine(point: dict[str, float]) -> None:
-    """Choose the bodies of the clicked machine."""
+    """Callback: choose the bodies of the clicked machine."""
     row, column = int(point["y"]), int(point["x"])
     index = len(BODIES) * row + column
     # Ignore a message with a point outside of the figure.
     if index < len(cache.machines()):
         machine = cache.machines()[index]
-        st.session_state.update(zip(PAPER_BODIES, machine.bodies, strict=True))
+        st.session_state.update(zip(PLACES, machine.bodies, strict=True))
 
 
 def roller_pairs() -> list[tuple[str, str]]:
@@ -190,7 +190,7 @@ def roller_pairs() -> list[tuple[str, str]]:
 def machine_name(machine: BodyChoice) -> str:
     """Return the names of the bodies."""
     return _("Lower rollers: {left} and {right}; on\u00a0top: {top}").format(
-        **{place: WORDS[body] for place, body in zip(PAPER_BODIES, machine.bodies, strict=True)}
+        **{place: WORDS[body] for place, body in zip(PLACES, machine.bodies, strict=True)}
     )
 
 

@@ -31,8 +31,8 @@ def draw_other_target() -> None:
         with st.container(horizontal=True):
             p = widgets.count(P, _("p"), width=130)
             q = widgets.count(Q, _("q"), width=130)
-        story = _current_story()
-        target = story.machine.target
+        results = _current_results()
+        target = results.machine.target
         if target != Fraction(p, q):
             most = number_theory.normalized_frequency_squared_exact(*PAPER.bodies, 0)
             sentence = _(
@@ -40,26 +40,26 @@ def draw_other_target() -> None:
                 "{old_p}/{old_q} is shown."
             )
             st.warning(sentence.format(most=most, p=p, q=q, old_p=target.numerator, old_q=target.denominator))
-        describe_target(story)
+        describe_target(results)
 
 
-def _current_story() -> cache.Story:
+def _current_results() -> cache.Results:
     """Return the results for the selected target. If no machine reaches it, return those for the previous target."""
     try:
-        story = cache.story(*PAPER.bodies, address.current(P), address.current(Q))
+        results = cache.results(*PAPER.bodies, address.current(P), address.current(Q))
     except ValueError:
-        return cache.story(*PAPER.bodies, *st.session_state.get(_LAST, (1, 1)))
-    target = story.machine.target
+        return cache.results(*PAPER.bodies, *st.session_state.get(_LAST, (1, 1)))
+    target = results.machine.target
     st.session_state[_LAST] = (target.numerator, target.denominator)
-    return story
+    return results
 
 
-def describe_target(story: cache.Story) -> None:
+def describe_target(results: cache.Results) -> None:
     """Describe the results for the target."""
-    target, discriminant = story.machine.target, story.machine.discriminant
-    st.latex(story.quadratic)
-    st.latex(rf"\varepsilon = {story.root}")
-    sentences = [describe_cubes(story)]
+    target, discriminant = results.machine.target, results.machine.discriminant
+    st.latex(results.quadratic)
+    st.latex(rf"\varepsilon = {results.root}")
+    sentences = [describe_cubes(results)]
     if isqrt(discriminant) ** 2 == discriminant:
         sentences.append(_("The discriminant is a square, so this $\\varepsilon$ is a fraction."))
     st.markdown(" ".join(sentences))
@@ -71,18 +71,18 @@ def draw_curve() -> None:
     """Draw the paper's curve, the target on it, and the current machine, unless the link hides them."""
     if display_mode.hides("curve", "numbers"):
         return
-    story, machine = _current_story(), sidebar.oscillator()
-    target = story.machine.target
+    results, machine = _current_results(), sidebar.oscillator()
+    target = results.machine.target
     present = machine.mass_ratio, machine.normalized_frequency_squared
-    level, ratio = f"Ω²m/k = {target}", number(story.ratio, 10)
+    level, ratio = f"Ω²m/k = {target}", number(results.ratio, 10)
     # The curve contains the target and the current machine.
-    least = min(story.ratio / 2, 0.9 * machine.mass_ratio)
-    most = max(2 * story.ratio, 1.1 * machine.mass_ratio)
+    least = min(results.ratio / 2, 0.9 * machine.mass_ratio)
+    most = max(2 * results.ratio, 1.1 * machine.mass_ratio)
     figure = figures.draw_level_crossing(
         *cache.curve(least, most),
         level=float(target),
         level_label=_("in step: {level}").format(level=level) if target == 1 else level,
-        root=story.ratio,
+        root=results.ratio,
         root_label=f"<i>ε</i> = {ratio}",
         present=present,
         colors=theme.colors(),

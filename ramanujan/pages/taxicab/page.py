@@ -13,7 +13,7 @@ from ramanujan.shell.display_mode import columns, folded, hides, picture_and_wor
 from ramanujan.shell.sections.cubes import draw_stacks
 from ramanujan.translation import _, ngettext
 
-DIGITS = address.Count("digits", number_theory.integers.MOST_DIGITS, 100)
+DIGITS = address.Count("digits", number_theory.integers.MOST_DIGITS, default=100)
 URL_PARAMETERS = (*other_bodies.URL_PARAMETERS, *other_targets.URL_PARAMETERS, DIGITS)
 FOLDED_PARAMETERS = ("k", "compression")
 
@@ -27,7 +27,7 @@ def show() -> None:
         draw_both_stacks()
     other_bodies.draw_other_bodies()
     other_targets.draw_open_question()
-    sidebar.rerun_only(*other_bodies.DEPENDENT_FRAGMENTS, *other_targets.DEPENDENT_FRAGMENTS)
+    sidebar.set_dependent_fragments(*other_bodies.DEPENDENT_FRAGMENTS, *other_targets.DEPENDENT_FRAGMENTS)
 
 
 def draw_condition() -> None:

@@ -144,7 +144,7 @@ def draw_name_box() -> None:
 
 
 def make_worksheet() -> None:
-    """Create a new key and its worksheet, in a callback."""
+    """Callback: create a new key and its worksheet."""
     key = worksheet_keys.new()
     st.session_state.update({KEY.name: key, SEED.name: worksheet_keys.name(key)})
 

@@ -3,7 +3,9 @@
 from ramanujan.number_theory import BodyChoice
 from ramanujan.translation import _
 
-PAPER_BODIES = dict(zip(("left", "right", "top"), BodyChoice().bodies, strict=True))
+PLACES = ("left", "right", "top")
+"""The places, in the order of `BodyChoice.bodies`."""
+PAPER_BODIES = dict(zip(PLACES, BodyChoice().bodies, strict=True))
 """Place → the body of the paper's machine."""
 PLACE_WORDS = {"left": _("Left roller"), "right": _("Right roller"), "top": _("Body on top")}
 """Place → its label."""

@@ -20,15 +20,16 @@ from ramanujan.shell.parameters import WATCH, Parameter, read_number
 from ramanujan.shell.sections import bodies
 from ramanujan.translation import _
 
+# As in `parameters`: name, symbol, meaning, unit, least, most, default, step, format, scale.
 RELEASE = Parameter("task_x0", "x₀", _("Compression at release"), "cm", 0.0, 12.0, 8.0, 0.1, "%.1f", 0.01)
 GLIDE, SPIN = replace(parameters.GLIDE, name="task_glide"), replace(parameters.SPIN, name="task_spin")
 METHOD = address.Choice("task_method", {name: method.title for name, method in METHODS.items()}, "rk4")
-STEPS = address.Count("task_steps", STEPS_PER_PERIOD[-1], 100, STEPS_PER_PERIOD[0])
-PERIODS = address.Count("task_periods", 100, 10)
+STEPS = address.Count("task_steps", STEPS_PER_PERIOD[-1], default=100, least=STEPS_PER_PERIOD[0])
+PERIODS = address.Count("task_periods", 100, default=10)
 WORDS = {body: BODY_WORDS[body] for body in BODIES}
-PLACES = [address.Choice(f"task_{place}", WORDS, body) for place, body in bodies.PAPER_BODIES.items()]
-"""The parameters of the three bodies, from left to top."""
-URL_PARAMETERS = (RELEASE, GLIDE, SPIN, METHOD, STEPS, PERIODS, *PLACES)
+BODY_PARAMETERS = [address.Choice(f"task_{place}", WORDS, body) for place, body in bodies.PAPER_BODIES.items()]
+"""The URL parameters of the bodies at the places left, right and top."""
+URL_PARAMETERS = (RELEASE, GLIDE, SPIN, METHOD, STEPS, PERIODS, *BODY_PARAMETERS)
 _EXAMPLE = _("For example {entry}")
 
 
@@ -105,12 +106,12 @@ def draw_machine(task: Task, attempt: Attempt) -> None:
 def _bodies() -> tuple[str, ...]:
     """Draw a menu for the body at each place, and return the three bodies."""
     labels = bodies.PLACE_WORDS.values()
-    menus = [partial(widgets.selectbox, place, label) for place, label in zip(PLACES, labels, strict=True)]
+    menus = [partial(widgets.selectbox, place, label) for place, label in zip(BODY_PARAMETERS, labels, strict=True)]
     return tuple(widgets.draw_in_columns(3, *menus))
 
 
 def _part() -> float | None:
-    """Draw the box for a fraction of a period, and return its number; None for an ambiguous number."""
+    """Draw the box for a part of a period; return the typed number, or None for an invalid or ambiguous text."""
     text = st.text_input(_("Part of a period"), key="task_part", placeholder=_EXAMPLE.format(entry="1/3"))
     refusal = explain_ambiguous_number(text)
     if refusal:
