@@ -65,7 +65,8 @@ def html(theme: str) -> bytes:
     """Return the bare page in a theme."""
     text = (Path(__file__).parent / "bare.html").read_text(encoding="utf-8")
     style = "".join(f"--st-{_kebab(name)}: {value};" for name, value in THEME[theme].items() if isinstance(value, str))
-    return text.replace("MODULES", f"/{modules.folder()}").replace("THEME", f"color-scheme: {theme}; {style}").encode()
+    text = text.replace("MODULES", f"/{modules.folder_url()}")
+    return text.replace("THEME", f"color-scheme: {theme}; {style}").encode()
 
 
 def _kebab(name: str) -> str:
@@ -77,7 +78,7 @@ class _Handler(BaseHTTPRequestHandler):
 
     def do_GET(self) -> None:
         path = self.path.partition("?")[0].removeprefix("/")
-        name = path.removeprefix(f"{modules.folder()}/")
+        name = path.removeprefix(f"{modules.folder_url()}/")
         content = html(path) if path in THEME else modules.collect_files().get(name)
         self.send_response(404 if content is None else 200)
         kind = "text/html" if path in THEME else guess_type(path)[0] or "application/octet-stream"

@@ -252,4 +252,4 @@ def script(name: str) -> str:
 
 def module(name: str) -> str:
     """Return the JavaScript expression that imports a module of the app, such as stage/motion."""
-    return f"import('/{modules.folder()}/{name}.js')"
+    return f"import('/{modules.folder_url()}/{name}.js')"

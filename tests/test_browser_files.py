@@ -83,11 +83,11 @@ def test_aborted_requests_do_not_damage_the_files_of_other_visitors(fresh, chrom
         answers = list(pool.map(lambda each: compare(*each), requests))
     assert answers[len(UNPACK) :] == [None] * (len(requests) - len(UNPACK))
     assert len({*answers[: len(UNPACK)]}) == 1
-    assert f"{modules.folder()}/begin.js" in answers[0]
+    assert f"{modules.folder_url()}/begin.js" in answers[0]
 
 
 def test_browsers_cache_files_forever(fresh):
-    module = f"/{modules.folder()}/begin.js"
+    module = f"/{modules.folder_url()}/begin.js"
     for path in (FILES[0], module):
         for accepted, coding in {"br, gzip": "gzip", "br": None}.items():
             headers, _ = get(f"{fresh}{path}", Accept_Encoding=accepted)
@@ -98,7 +98,7 @@ def test_browsers_cache_files_forever(fresh):
     index = (FOLDER / "index.html").stat()
     assert get(fresh, If_Modified_Since=time.strftime("%a, %d %b %Y %H:%M:%S GMT", time.gmtime(index.st_mtime + 9)))
     # Modules of another version of the app are missing.
-    place, version = modules.folder().split("/")
+    place, version = modules.folder_url().split("/")
     for wrong in (f"{place}/0000", f"{place}/{version[1:]}", f"{place}/{version}x"):
         with pytest.raises(HTTPError, match="404"):
             get(f"{fresh}/{wrong}/begin.js")
@@ -112,7 +112,7 @@ def test_a_page_makes_no_foreign_request_and_sends_no_referrer(fresh):
     assert not [source for sources in policy.values() for source in sources.split() if source[:1] not in "'bd"]
     assert {"'unsafe-inline'", "'unsafe-eval'", "data:"}.isdisjoint(policy["script-src"].split())
     assert page.count(b"<script>") == policy["script-src"].count("'sha256-") > 0
-    for path in ("", FILES[0], "/_stcore/health", f"/{modules.folder()}/begin.js"):
+    for path in ("", FILES[0], "/_stcore/health", f"/{modules.folder_url()}/begin.js"):
         assert get(f"{fresh}{path}")[0]["X-Content-Type-Options"] == "nosniff", path
     for requests, is_secure in {"http": False, "https": True}.items():
         cookies = [get(f"{fresh}{path}", X_Forwarded_Proto=requests)[0]["Set-Cookie"] for path in ("/", "/motion")]

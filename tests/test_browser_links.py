@@ -7,7 +7,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from ramanujan.lesson.class_codes import ALPHABET, LETTERS, group_code
+from ramanujan.lesson.class_codes import ALPHABET, LETTERS, format_code
 from ramanujan.shell.links import parameters_of, tidy
 from ramanujan.shell.navigation import PAGES
 from tests.test_addresses import OF_A_CLASS, meant
@@ -37,7 +37,7 @@ def test_punctuation_after_a_link_is_not_part_of_its_value(name, end):
 @settings(deadline=None)
 @given(code=CODES, separator=st.sampled_from(SEPARATORS), end=AROUND, lower=st.booleans())
 def test_a_class_code_is_read_as_printed_on_the_wall(code, separator, end, lower):
-    text = group_code(code).replace(" ", separator)
+    text = format_code(code).replace(" ", separator)
     link = tidy("lesson", f"class={text.lower() if lower else text}{quote(end)}") or f"lesson?class={text}"
     assert link.upper() == f"LESSON?CLASS={code}"
 

@@ -11,7 +11,7 @@ from ramanujan import UNIT_MASS_RATIO, Oscillator, normalized_frequency_squared
 from ramanujan.browser import stage
 from ramanujan.browser.components import exact
 from ramanujan.pages.oscillator.page import draw_story_button
-from ramanujan.pages.oscillator.story import PACE, STARTS, STILL_PERIODS, make_story
+from ramanujan.pages.oscillator.story import SCREEN_PERIOD, STARTS, STILL_PERIODS, make_story
 from ramanujan.shell import widgets
 from ramanujan.shell.parameters import PARAMETERS
 from tests.bare import Bare
@@ -70,7 +70,7 @@ def test_the_hands_meet_again_when_both_machines_are_in_step(start):
     assert gained(scenes, ends - 1e-9) == pytest.approx(round(turns), abs=1e-3)
 
 
-FRAME = 0.05 / PACE
+FRAME = 0.05 / SCREEN_PERIOD
 """Periods of the plain mass in a frame."""
 
 

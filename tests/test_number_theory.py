@@ -209,12 +209,12 @@ def test_x2_plus_3y2_against_every_pair():
     assert nt.represent_x2_plus_3y2(10**12) == [(500_000, 500_000), (10**6, 0)]
 
 
-def test_norm_form_is_the_discriminant_times_a_square():
+def test_norm_coordinates_give_the_discriminant_times_a_square():
     draw = random.Random(1729)
     for _ in range(1000):
         q = draw.randrange(1, 10**5)
         target = Fraction(draw.randrange(1, (7 * q + 3) // 4), q)
-        x, y = nt.norm_form(target)
+        x, y = nt.norm_coordinates(target)
         ratio = Fraction(x * x + 3 * y * y, nt.discriminant(*nt.unit_quadratic("hoop", "cylinder", "cylinder", target)))
         assert ratio.denominator == 1
         assert math.isqrt(ratio.numerator) ** 2 == ratio.numerator
@@ -286,7 +286,7 @@ def test_integers_of_numpy_and_sympy_are_accepted(integer):
     one, n, quadratic = integer(1), integer(1729), tuple(map(integer, PAPER))
     machine = nt.BodyChoice(target=one)
     given = [f(n) for f in (nt.factorization, nt.squarefree_part, nt.sums_of_two_cubes, nt.represent_x2_plus_3y2)]
-    given += [nt.unit_quadratic(one, Fraction(1, 2), Fraction(1, 2), one), nt.norm_form(one), machine.target]
+    given += [nt.unit_quadratic(one, Fraction(1, 2), Fraction(1, 2), one), nt.norm_coordinates(one), machine.target]
     given += [nt.normalized_frequency_squared_exact(one, 0, 0, one), nt.convergents([one, one]), machine.discriminant]
     given += [nt.discriminant(*quadratic), nt.continued_fraction(*quadratic, 9), nt.field_discriminant(n)]
     assert kinds(given) == {int, Fraction, list, tuple}
@@ -316,7 +316,7 @@ def test_the_error_for_a_value_outside_its_range_names_it():
     for bad in (-1, 2, Fraction(-1, 9)):
         refused += [("beta_b", lambda bad=bad: nt.unit_quadratic("hoop", bad, "cylinder"))]
     for bad in (0, -1, LIGHT_ROLLERS_LIMIT, 2):
-        calls = (nt.BodyChoice, nt.norm_form)
+        calls = (nt.BodyChoice, nt.norm_coordinates)
         refused += [("target", lambda call=call, bad=bad: call(target=bad)) for call in calls]
     for name, call in refused:
         with pytest.raises(ValueError, match=rf"^{name} must"):

@@ -22,7 +22,7 @@ from ramanujan.accuracy.extremes import FORMS, extremes
 from ramanujan.accuracy.measurement import Timing
 from ramanujan.accuracy.phase import phase_errors
 from ramanujan.accuracy.runs import error_history
-from ramanujan.accuracy.work_precision import WorkPrecision, cheapest
+from ramanujan.accuracy.work_precision import WorkPrecision, find_cheapest_runs
 from ramanujan.figures import speed as figures
 from ramanujan.integrators import METHODS, trajectory
 from ramanujan.numerals import duration, number, power_of_ten, unbroken
@@ -96,14 +96,14 @@ def test_measurements_are_shared_and_repeated_on_request(app):
     app.button(key="measure").click().run()
     curves = cache.diagram(1)
     assert len(curves) == 2 * len(METHODS)
-    best = cheapest(curves, 1e-3)[0]
+    best = find_cheapest_runs(curves, 1e-3)[0]
     text = words(app)
     assert f"**{METHODS[best.method].title}** in {best.dtype} with **{best.steps_per_period} steps" in text
     assert duration(best.seconds) in text
 
     # A lower tolerance costs more, and the sentence is updated.
     app.select_slider(key="tolerance").set_value("1e-6").run()
-    finer = cheapest(curves, 1e-6)[0]
+    finer = find_cheapest_runs(curves, 1e-6)[0]
     assert finer.evaluations > best.evaluations
     assert f"with **{finer.steps_per_period} steps" in words(app)
 

@@ -38,10 +38,10 @@ HEIGHT = 400
 LARGEST_MASS_RATIO = 4.0
 """Right end of the Ω² curve in `measure_chord_errors`."""
 
-ARRAY = 10_000
+ARRAY_SIZE = 10_000
 """Number of array elements in `measure_arithmetics`."""
 
-STATES = 100
+STATE_COUNT = 100
 """Number of states in `measure_caching`."""
 
 _FRACTIONS_OF_CHORD = np.arange(1, 32)[:, None] / 32
@@ -128,7 +128,7 @@ def measure_arithmetics() -> dict[str | int, float]:
     >>> list(measure_arithmetics())
     ['float64', 'array', 'integers', 'fraction', 15, 30, 50, 100]
     """
-    epsilon, epsilons = UNIT_MASS_RATIO, np.full(ARRAY, UNIT_MASS_RATIO)
+    epsilon, epsilons = UNIT_MASS_RATIO, np.full(ARRAY_SIZE, UNIT_MASS_RATIO)
     cases: dict[str | int, Callable[[], object]] = {
         "float64": lambda: 1 / effective_mass_ratio(epsilon),
         "array": lambda: normalized_frequency_squared(epsilons),
@@ -137,7 +137,7 @@ def measure_arithmetics() -> dict[str | int, float]:
     }
     cases |= {digits: _with_digits(digits, epsilon) for digits in DIGITS}
     seconds = {kind: measure(evaluate).median for kind, evaluate in cases.items()}
-    return seconds | {"array": seconds["array"] / ARRAY}
+    return seconds | {"array": seconds["array"] / ARRAY_SIZE}
 
 
 def measure_caching(oscillator: Oscillator) -> dict[str, float]:
@@ -156,7 +156,7 @@ def measure_caching(oscillator: Oscillator) -> dict[str, float]:
     ['frequency', 'state', 'states']
     """
     initial = InitialState(phi=1.0)
-    times = np.linspace(0, oscillator.period, STATES)
+    times = np.linspace(0, oscillator.period, STATE_COUNT)
     # Each new machine has a spring that is softer by one part in 1e12, so nothing is cached for it.
     new_machines = (replace(oscillator, k=oscillator.k * (1 - number * 1e-12)) for number in count(1))
 

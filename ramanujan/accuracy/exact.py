@@ -82,7 +82,7 @@ def exact_frequency_squared(m: float, m_prime: float, k: float) -> mpmath.mpf:
 
     Returns
     -------
-    a number of `REFERENCE`
+    an mpmath number of the context `REFERENCE`
 
     >>> round(float(exact_frequency_squared(1, 1, 99)), 9)
     104.0

@@ -23,26 +23,26 @@ from ramanujan.accuracy.measurement import REFERENCE
 from ramanujan.frequency import effective_mass_ratio
 from ramanujan.translation import _
 
-RIGHT, INACCURATE, OVERFLOW, ZERO, PLAUSIBLE = "right", "inaccurate", "overflow", "zero", "plausible"
+RIGHT, INACCURATE, OVERFLOW, ZERO, WRONG = "right", "inaccurate", "overflow", "zero", "wrong"
 """The verdicts on a value.
 
 right         error of at most RIGHT_ULP
-inaccurate    relative error below PLAUSIBLE_ERROR
+inaccurate    larger error, but a relative error below WRONG_ERROR
 overflow      ∞ or NaN
 zero          0
-plausible     finite and not zero, but with a relative error of PLAUSIBLE_ERROR or more
+wrong         relative error of WRONG_ERROR or more; finite and not zero, so it looks like a result
 """
 
 RIGHT_ULP = 4.0
 """Largest error of a right value, which the rounding errors of a few operations can cause."""
 
-PLAUSIBLE_ERROR = 1e-2
+WRONG_ERROR = 1e-2
 """Relative error at which a value is wrong rather than inaccurate."""
 
 DECADES = {"float32": 37, "float64": 300}
 """dtype → d: the sweeps extend from 10^−d to 10^d, so that m′ = ε and Ω² are normal numbers."""
 
-MACHINES = 1000
+MACHINE_COUNT = 1000
 """Number of random machines, before those with m′/m, k/m or Ω² beyond the range of the sweeps are excluded."""
 
 SWEEP_NAMES = ("ratio", "scale", "machines")
@@ -81,7 +81,7 @@ class Sweep:
     x : ε, s, or the number of the machine
     value : computed Ω²
     error_ulp : |value − truth| in ulp of the truth; NaN or ∞ if the value is NaN or infinite
-    verdict : RIGHT, INACCURATE, OVERFLOW, ZERO or PLAUSIBLE
+    verdict : RIGHT, INACCURATE, OVERFLOW, ZERO or WRONG
     """
 
     form: str
@@ -114,7 +114,7 @@ def extremes() -> list[Sweep]:
 
     Returns
     -------
-    one `Sweep` for each sweep, dtype and form, in this order
+    one `Sweep` for each sweep name, dtype and form, in this order
 
     >>> sweep, *_ = extremes()
     >>> [stretch.verdict for stretch in sweep.stretches]
@@ -207,7 +207,7 @@ def _generate_samples(sweep_name: str, dtype: str) -> tuple[FloatArray, FloatArr
 def _draw_machines(dtype: str) -> FloatArray:
     """Return random m, m′ and k, shape (3, machines), whose m′/m, k/m and Ω² are within the range of the sweeps."""
     decades = DECADES[dtype]
-    exponents = np.random.default_rng(1729).uniform(-decades, decades, (3, MACHINES))
+    exponents = np.random.default_rng(1729).uniform(-decades, decades, (3, MACHINE_COUNT))
     log_m, log_m_prime, log_k = exponents
     # Ω² is of the order of k/max(m, m′).
     is_within = np.abs(log_k - np.maximum(log_m, log_m_prime)) < decades - 1
@@ -253,5 +253,5 @@ def _compute_errors(value: float, truth: mpmath.mpf, ulp: float) -> tuple[float,
 def _judge(value: np.ndarray, error_ulp: np.ndarray, relative: np.ndarray) -> np.ndarray:
     """Return the verdict on each sample."""
     # `np.select` chooses the verdict of the first true condition.
-    conditions = [~np.isfinite(value), error_ulp <= RIGHT_ULP, value == 0, relative < PLAUSIBLE_ERROR]
-    return np.select(conditions, [OVERFLOW, RIGHT, ZERO, INACCURATE], PLAUSIBLE)
+    conditions = [~np.isfinite(value), error_ulp <= RIGHT_ULP, value == 0, relative < WRONG_ERROR]
+    return np.select(conditions, [OVERFLOW, RIGHT, ZERO, INACCURATE], WRONG)

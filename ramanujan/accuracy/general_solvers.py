@@ -119,7 +119,7 @@ def _evaluate_solvers(dtype: str) -> Iterator[EigenSweep]:
 
 
 def _solve_modes(solver: Eigenvalues, machine: Oscillator, dtype: str) -> tuple[float, np.ndarray]:
-    """Return the largest eigenvalue, of the oscillating mode, and the two of the zero modes; NaN on failure."""
+    """Return the largest eigenvalue, which is that of the oscillating mode, and the other two; NaN on failure."""
     try:
         values = solver(machine.mass_matrix.astype(dtype), machine.stiffness_matrix.astype(dtype))
     except np.linalg.LinAlgError:

@@ -83,7 +83,8 @@ def work_precision(
 ) -> WorkPrecision:
     """Return the error and the evaluations of one method for each number of steps per period.
 
-    The error is an upper bound for all machines, because each run has two time steps that enclose hΩ of every machine.
+    The error is an upper bound for all machines. Each run is computed twice: with a time step just below hΩ of every
+    machine, and with one just above.
 
     Parameters
     ----------
@@ -136,7 +137,9 @@ def work_precision(
 
 def _start_runs(steps: np.ndarray, method: str, dtype: str) -> WorkPrecision:
     """Return the runs at t = 0, before their first step: q = 1, v = 0."""
-    ends = np.ones((2, steps.size), dtype), np.zeros((2, steps.size), dtype)
+    # Each run is computed with two time steps.
+    shape = (2, steps.size)
+    ends = np.ones(shape, dtype), np.zeros(shape, dtype)
     return WorkPrecision(
         method=method,
         dtype=dtype,
@@ -151,8 +154,9 @@ def _start_runs(steps: np.ndarray, method: str, dtype: str) -> WorkPrecision:
 def _bracket_time_steps(steps: np.ndarray, dtype: str) -> np.ndarray:
     """Return two time steps for each run, shape (2, runs), that enclose hΩ of all machines.
 
-    Each machine rounds h and Ω², so the relative error of its hΩ is up to ½ + ¼ of the machine epsilon, at most 1½
-    spacings of h. The rounding of h itself adds ½.
+    The time step and Ω² of a machine are rounded. The relative error of hΩ is at most ¾ of the epsilon of the dtype: ½
+    from h, and ¼ from Ω, half of the relative error of Ω². This is at most 1½ spacings of h. The rounding of 2π/n adds
+    half a spacing.
     """
     h = (2 * np.pi / steps).astype(dtype)
     margin = 2 * np.spacing(h)
@@ -176,7 +180,7 @@ def _largest_error(q: np.ndarray, v: np.ndarray, exact: np.ndarray, error_kind: 
     return np.sqrt(squared_errors.max(axis=(0, 1)))
 
 
-def cheapest(curves: Iterable[WorkPrecision], tolerance: float, by: str = "evaluations") -> list[CheapestRun]:
+def find_cheapest_runs(curves: Iterable[WorkPrecision], tolerance: float, by: str = "evaluations") -> list[CheapestRun]:
     """Return the cheapest run of each method whose error does not exceed the tolerance, in order of cost.
 
     Parameters
@@ -187,9 +191,9 @@ def cheapest(curves: Iterable[WorkPrecision], tolerance: float, by: str = "evalu
 
     Returns
     -------
-    one choice for each curve with a run within the tolerance: that with the fewest steps
+    the run with the fewest steps of each curve that has a run within the tolerance
 
-    >>> [choice] = cheapest([work_precision("rk4", periods=10)], tolerance=1e-2)
+    >>> [choice] = find_cheapest_runs([work_precision("rk4", periods=10)], tolerance=1e-2)
     >>> choice.steps_per_period
     17
     """

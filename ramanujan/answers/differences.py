@@ -9,7 +9,7 @@ from dataclasses import dataclass, replace
 import sympy as sp
 
 from ramanujan.answers import terms
-from ramanujan.answers.formulas import leaves
+from ramanujan.answers.formulas import leaves, replace_letters
 from ramanujan.answers.questions import EQUATION, NUMBER, POLYNOMIAL, Question, find_question
 from ramanujan.answers.spelling import MOTION, SYMBOLS
 from ramanujan.answers.terms import Comparison, TermDifference
@@ -37,14 +37,14 @@ class Difference:
     sentences : the result of the comparison
     term : the only term that differs, a product of names as shown; empty for the constant term, None for several terms
     is_slip : whether a slip of the pen explains the difference: a sign, a factor, a missing term or letter
-    is_whole : whether the sentences explain the whole answer, including its unit
+    is_complete : whether the sentences explain everything that is wrong, including a wrong unit
     next_question : replaces the next question of the term or of the whole question, if not empty
     """
 
     sentences: list[str]
     term: str | None = None
     is_slip: bool = False
-    is_whole: bool = False
+    is_complete: bool = False
     next_question: str = ""
 
 
@@ -80,10 +80,10 @@ def _compare_equations(question: Question, typed: sp.Expr) -> Difference:
     has_one_difference = differences is not None and len(differences) == 1
     if is_solved and not has_one_difference:
         value = _("Your equation gives ε a value. The question asks for the quadratic equation that ε satisfies.")
-        return Difference([value], is_whole=True)
+        return Difference([value], is_complete=True)
     if not differences:
         return Difference([_("No term of your equation is in the right ratio to another one.")])
-    return _list_differences(differences, _("Bring all terms to the left side and compare them."))
+    return _combine(differences, _("Bring all terms to the left side and compare them."))
 
 
 def _is_solved(typed: sp.Expr) -> bool:
@@ -111,7 +111,7 @@ def _compare_formulas(question: Question, compared: Comparison) -> Difference | 
     if factor is None:
         return None
     reciprocal = _("Apart from the factor {factor}, this is the reciprocal of the right answer.")
-    return Difference([reciprocal.format(factor=factor)], is_whole=True)
+    return Difference([reciprocal.format(factor=factor)], is_complete=True)
 
 
 def _compare_polynomials(question: Question, compared: Comparison) -> Difference:
@@ -122,12 +122,12 @@ def _compare_polynomials(question: Question, compared: Comparison) -> Difference
         return Difference([_("In your answer a mass or a length is below a fraction line.")], "")
     opposite = replace(compared, typed=-compared.typed).differences(question.variables)
     if opposite and len(opposite) == 1 and len(differences) > 1:
-        return _list_differences(opposite, _("Multiply your answer by −1. Then only one term differs."))
-    return _list_differences(differences)
+        return _combine(opposite, _("Multiply your answer by −1. Then only one term differs."))
+    return _combine(differences)
 
 
-def _list_differences(differences: list[TermDifference], introduction: str = "") -> Difference:
-    """Return a difference with a sentence about each term, after an introduction on how to compare."""
+def _combine(differences: list[TermDifference], introduction: str = "") -> Difference:
+    """Return the differences of terms as one difference, after an introduction on how to compare."""
     sentences = [introduction] if introduction else []
     sentences += terms.summarize(differences)
     if len(differences) > 1:
@@ -138,7 +138,7 @@ def _list_differences(differences: list[TermDifference], introduction: str = "")
 
 
 def _compare_quotients(question: Question, typed: sp.Expr, compared: Comparison) -> Difference:
-    """Return how two quotients differ: in a name, or in terms above or below the fraction line."""
+    """Return how a quotient differs from the right one: in a name, or in terms above or below the fraction line."""
     needed = [name for name in ("m", "m'", "k", "R") if SYMBOLS[name] in leaves(question.right)]
     missing = [name for name in needed if not depends_on(typed, SYMBOLS[name])]
     if missing:
@@ -146,11 +146,11 @@ def _compare_quotients(question: Question, typed: sp.Expr, compared: Comparison)
         sentence = _("Your answer does not depend on {names}, but {quantity} does.")
         independent = sentence.format(names=terms.join_names(missing), quantity=question.quantity)
         return Difference([independent, *_test_special_masses(question, typed)[:1]], is_slip=True)
-    of_one_part = compared.fraction_differences()
-    if of_one_part:
-        sentence, differences = of_one_part
+    difference_in_one_part = compared.fraction_differences()
+    if difference_in_one_part:
+        sentence, differences = difference_in_one_part
         is_slip = len(differences) == 1 and differences[0].is_slip
-        return replace(_list_differences(differences, sentence), is_slip=is_slip)
+        return replace(_combine(differences, sentence), is_slip=is_slip)
     sentences = _test_special_masses(question, typed)
     # An answer with a decimal number may be right for equal masses except for rounding.
     if not sentences and not find_decimals(typed):
@@ -159,8 +159,10 @@ def _compare_quotients(question: Question, typed: sp.Expr, compared: Comparison)
 
 
 def _test_special_masses(question: Question, typed: sp.Expr) -> list[str]:
-    """Return sentences about special masses for which the answer is right, and about the terms with the error."""
+    """Return a sentence about special masses for which the answer is right, and one about the place of the error."""
     m, m_prime = SYMBOLS["m"], SYMBOLS["m'"]
+    # In terms of m and m′, an answer with ε divides by zero for m = 0, so that case is skipped.
+    in_masses = replace_letters(typed, {SYMBOLS["eps"]: m_prime / m})
     cases = (
         ({m_prime: POINTS[0][m]}, [_("Your answer is right for equal masses, m′ = m, but not for other masses.")]),
         ({m_prime: 0}, [_("Your answer is right for m′ = 0."), _("So the error is in a term with m′.")]),
@@ -168,9 +170,8 @@ def _test_special_masses(question: Question, typed: sp.Expr) -> list[str]:
     )
     for masses, sentences in cases:
         values = POINTS[0] | masses
-        values[SYMBOLS["eps"]] = values[m_prime] / values[m] if values[m] else 0
         try:
-            typed_value, right_value = evaluate(typed, values), evaluate(question.right, values)
+            typed_value, right_value = evaluate(in_masses, values), evaluate(question.right, values)
         except ArithmeticError:
             continue
         if agree((typed_value,), (right_value,)):
@@ -179,7 +180,7 @@ def _test_special_masses(question: Question, typed: sp.Expr) -> list[str]:
 
 
 def _compare_numbers(question: Question, typed_values: Values) -> list[str]:
-    """Return a sentence about the quotient of the number and the right one, or about the part that is right."""
+    """Return a sentence about the quotient of the typed and the right number, or about the part that is right."""
     right = question.right_values
     quotient = find_rational_ratio(typed_values, right)
     if quotient is not None:

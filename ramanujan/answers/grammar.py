@@ -38,7 +38,7 @@ def parse(text: str) -> sp.Expr:
     ------
     UnreadableError : the text is not a formula, is ambiguous, or exceeds a limit; the message is for the student.
     """
-    return _sides(text)[0].value
+    return _parse_sides(text)[0].value
 
 
 def parse_equation(text: str) -> tuple[sp.Expr, sp.Expr]:
@@ -48,7 +48,7 @@ def parse_equation(text: str) -> tuple[sp.Expr, sp.Expr]:
     ------
     UnreadableError : `parse` cannot read a side, or the text has more than one equals sign.
     """
-    left, right = _sides(text, is_equation=True)
+    left, right = _parse_sides(text, is_equation=True)
     return left.value, right.value
 
 
@@ -59,10 +59,10 @@ def typeset(text: str, *, is_equation: bool = False) -> str:
     ------
     UnreadableError : under the conditions of `parse` and `parse_equation`.
     """
-    return "=".join(side.unbracketed for side in _sides(text, is_equation))
+    return "=".join(side.unbracketed for side in _parse_sides(text, is_equation))
 
 
-def _sides(text: str, is_equation: bool = False) -> "list[_Part]":
+def _parse_sides(text: str, is_equation: bool = False) -> "list[_Part]":
     """Return a formula, or both sides of an equation."""
     if not isinstance(text, str):
         raise UnreadableError(_("Type your answer as text."))
@@ -141,7 +141,7 @@ class _Reader:
         terms, shown, unbracketed = [first.value], first.shown, first.unbracketed
         while self.next in ("+", "-"):
             sign, term = self.take(), self.product()
-            terms.append(_negative(term.value) if sign == "-" else term.value)
+            terms.append(_negate(term.value) if sign == "-" else term.value)
             shown = unbracketed = f"{shown} {sign} {term.unsigned}"
         return _Part(sp.Add(*terms, evaluate=False), shown, unbracketed)
 
@@ -150,11 +150,11 @@ class _Reader:
 
         Raises
         ------
-        UnreadableError : a factor without a sign might be part of the denominator.
+        UnreadableError : a factor without * or / before it might belong to the denominator.
         """
         first = self.factor()
         factors, shown, unbracketed = [first.value], first.shown, first.unbracketed
-        # Whether a next factor without * or / would clearly be above or below the last fraction line.
+        # Whether it is clear on which side of the last fraction line a factor without * or / would belong.
         is_unambiguous = True
         while self.next in ("*", "/") or self._starts_a_factor():
             sign = self.take() if self.next in ("*", "/") else ""
@@ -188,7 +188,7 @@ class _Reader:
             self.take()
             exponent, shown = self.exponent()
             factor = _Part(_power(factor.value, exponent), f"{factor.base}^{{{shown}}}")
-        return _Part(_negative(factor.value), f"- {factor.shown}") if is_negative else factor
+        return _Part(_negate(factor.value), f"- {factor.shown}") if is_negative else factor
 
     def exponent(self) -> tuple[sp.Rational, str]:
         part = self._nested(self.factor)
@@ -241,7 +241,12 @@ class _Reader:
             raise UnreadableError(refusal)
 
     def _nested(self, read: Callable[[], _Part]) -> _Part:
-        """Return the part that `read` returns, one level deeper."""
+        """Return the result of `read`, which parses the next nested part.
+
+        Raises
+        ------
+        UnreadableError : the part is more than MAX_DEPTH levels deep.
+        """
         self._depth += 1
         if self._depth > MAX_DEPTH:
             levels = _("Brackets, roots and exponents may be nested at most {most} levels deep.")
@@ -254,7 +259,7 @@ class _Reader:
         return isinstance(self.next, sp.Expr) or self.next in ("sqrt", "frac", "(")
 
 
-def _negative(expression: sp.Expr) -> sp.Expr:
+def _negate(expression: sp.Expr) -> sp.Expr:
     return -expression if expression.is_Rational else sp.Mul(sp.S.NegativeOne, expression, evaluate=False)
 
 

@@ -13,7 +13,7 @@ from ramanujan.answers.spelling import SYMBOLS, TEXTBOOK, UnknownNameError, Unre
 from ramanujan.translation import _, ngettext
 
 _DIGITS_FOR_SLIPS, _DIGITS_FOR_BODIES = 3, 5
-"""A decimal needs this many significant digits to be compared with the results of slips, and of wrong bodies."""
+"""A decimal needs this many significant digits to be compared with the results of slips, and of mistakes in bodies."""
 
 _HALF = 0.5
 """The largest rounding error in units of the last digit."""
@@ -83,6 +83,7 @@ def _replace_letters(question: Question, typed: sp.Expr) -> sp.Expr:
     """
     for letter in _find_letters(typed):
         if letter not in question.letters:
+            # A student who types ω in another question usually means Ω.
             if letter == TEXTBOOK["omega"]:
                 raise UnreadableError(_("Type only the right side of the equation: a formula without Ω."))
             raise UnknownNameError(letter.name)
@@ -93,7 +94,7 @@ def _replace_letters(question: Question, typed: sp.Expr) -> sp.Expr:
 def _compare(question: Question, typed: sp.Expr, letters: list[sp.Symbol]) -> Verdict:
     typed_values = question.evaluate(typed)
     if not values.agree(typed_values, question.right_values):
-        if _has_denominator(question, typed):
+        if _has_right_numerator(question, typed):
             return Verdict("unsimplified", _("Right so far! What do you get if you multiply by the denominator?"))
         return Verdict("wrong", " ".join(_explain(question, typed, typed_values)))
     if letters:
@@ -113,8 +114,8 @@ def _compare(question: Question, typed: sp.Expr, letters: list[sp.Symbol]) -> Ve
     return Verdict("right", _("Right!"))
 
 
-def _has_denominator(question: Question, typed: sp.Expr) -> bool:
-    """Return whether an equation becomes the right one if it is multiplied by its denominator."""
+def _has_right_numerator(question: Question, typed: sp.Expr) -> bool:
+    """Return whether the numerator of an equation is the right one, up to a factor without the variables."""
     if question.kind != EQUATION:
         return False
     try:
@@ -128,8 +129,8 @@ def _has_denominator(question: Question, typed: sp.Expr) -> bool:
 def _explain(question: Question, typed: sp.Expr, typed_values: values.Values) -> list[str]:
     """Return sentences about a wrong answer, the last one with the next question.
 
-    The first explanation wins: a known slip, a rounded number, a difference of the whole formula, or wrong bodies.
-    Without one, the sentences are about the unit, the names and the single terms.
+    The first explanation wins: a known slip, a rounded number, a difference of the whole formula, or a mistake in a
+    body. Without such an explanation, the sentences are about the unit, the names and the single terms.
     """
     is_zero = not any(typed_values)
     if is_zero and question.kind == EQUATION:
@@ -141,19 +142,19 @@ def _explain(question: Question, typed: sp.Expr, typed_values: values.Values) ->
         return [hint]
     difference = _find_difference(question, typed, typed_values)
     if not _is_explained(question, difference):
-        hint = _explain_wrong_bodies(question, typed_values)
+        hint = _explain_body_mistake(question, typed_values)
         if hint:
             return [hint]
     return _explain_difference(question, typed, difference)
 
 
 def _is_explained(question: Question, difference: Difference) -> bool:
-    """Return whether a difference explains an answer better than a wrong body.
+    """Return whether a difference explains an answer better than a mistake in a body.
 
-    A missing term or a wrong sign is more likely than a wrong body. A wrong sign in the energy of one body is an
+    A missing term or a wrong sign is more likely than a mistake in a body. A wrong sign in the energy of one body is an
     exception: there it usually comes from a wrong velocity, unless the student typed terms that cancel.
     """
-    if difference.next_question or difference.is_whole:
+    if difference.next_question or difference.is_complete:
         return True
     return difference.is_slip and not question.is_about_one_body
 
@@ -161,10 +162,10 @@ def _is_explained(question: Question, difference: Difference) -> bool:
 def _explain_difference(question: Question, typed: sp.Expr, difference: Difference) -> list[str]:
     """Return sentences about the unit, the names and the terms of a wrong answer, then the next question."""
     sentences = []
-    if not difference.is_whole:
+    if not difference.is_complete:
         faults = (_explain_wrong_unit(question, typed), _explain_foreign_names(question, typed))
         sentences = [fault for fault in faults if fault]
-    # If the unit of the whole formula is wrong, every term is wrong, and a list of terms does not help.
+    # If the unit or the names are wrong, most terms are wrong, and a list of them does not help.
     if difference.term is not None or not sentences:
         sentences += difference.sentences
     next_of_term = question.of_terms.get(difference.term or "", question.next_question)
@@ -182,12 +183,12 @@ def _find_hint(mistakes: values.Mistakes, typed_values: values.Values) -> str | 
     return next((hint for hint, wrong in mistakes if values.agree(typed_values, wrong)), None)
 
 
-def _explain_wrong_bodies(question: Question, typed_values: values.Values) -> str | None:
-    """Return the hint at a wrong body, None if no wrong body explains the answer."""
-    hint = _find_hint(question.values_of_wrong_bodies, typed_values)
+def _explain_body_mistake(question: Question, typed_values: values.Values) -> str | None:
+    """Return the hint about a mistake in a body that leads to this answer, such as a wrong velocity, or None."""
+    hint = _find_hint(question.values_of_body_mistakes, typed_values)
     if hint or not question.is_about_one_body:
         return hint
-    hint_without_half = _find_hint(question.values_of_wrong_bodies, tuple(value / 2 for value in typed_values))
+    hint_without_half = _find_hint(question.values_of_body_mistakes, tuple(value / 2 for value in typed_values))
     if hint_without_half:
         return _("{hint} A factor ½ is missing as well.").format(hint=hint_without_half)
     return None
@@ -216,7 +217,7 @@ def _explain_rounded_mistake(question: Question, typed: sp.Expr, digits: int) ->
     if digits >= _DIGITS_FOR_SLIPS:
         mistakes += question.values_of_slips
     if digits >= _DIGITS_FOR_BODIES:
-        mistakes += question.values_of_wrong_bodies
+        mistakes += question.values_of_body_mistakes
     hints = []
     for hint, wrong in mistakes:
         units = values.compute_rounding_error(typed, wrong)
@@ -256,10 +257,10 @@ def _explain_wrong_unit(question: Question, typed: sp.Expr) -> str | None:
         unit = values.find_unit(typed)
     except values.DifferentUnitsError as error:
         # The unit of a plain number is empty.
-        one, other = error.args
-        if not (one and other):
-            return _("You add a plain number to a term with the unit {unit}.").format(unit=one or other)
-        return _("You add terms with different units, {one} and {other}.").format(one=one, other=other)
+        first, second = error.args
+        if not (first and second):
+            return _("You add a plain number to a term with the unit {unit}.").format(unit=first or second)
+        return _("You add terms with different units, {one} and {other}.").format(one=first, other=second)
     if unit == right or question.kind == EQUATION:
         return None
     if not unit:

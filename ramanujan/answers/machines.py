@@ -16,7 +16,7 @@ from sympy.polys.matrices import DomainMatrix
 from sympy.polys.matrices.exceptions import DMNonInvertibleMatrixError
 
 from ramanujan.derivation import model
-from ramanujan.derivation.model import COORDINATES, Body, Machine, Phi, R, X, epsilon, k, m, m_prime, machine, phi
+from ramanujan.derivation.model import COORDINATES, Body, Machine, Phi, R, X, epsilon, k, m, m_prime, phi
 from ramanujan.translation import _
 
 BODY_NAMES = {
@@ -46,7 +46,7 @@ _SHAPES = {
 }
 """Shape factor → the name of the body in a sentence, and an example of a mistake with it."""
 
-right_machine = cache(machine)
+right_machine = cache(model.machine)
 """Return the machine of the paper."""
 
 
@@ -76,8 +76,8 @@ class Mistake:
 
 
 @dataclass(frozen=True)
-class Altered:
-    """The machine with a mistake about a group of bodies."""
+class AlteredMachine:
+    """The machine with a mistake about a group of bodies, whose names `group` contains."""
 
     mistake: Mistake
     group: str
@@ -103,7 +103,7 @@ class Altered:
         )
 
 
-def _other_angle(body: Body) -> dict[str, Any]:
+def _swap_angles(body: Body) -> dict[str, Any]:
     swapped = {phi: Phi, Phi: phi}
     return {"displacement": body.displacement.xreplace(swapped), "angle": body.angle.xreplace(swapped)}
 
@@ -184,7 +184,7 @@ MISTAKES = (
         # TRANSLATORS: {body} is the block, the hoop, the lower rollers … as translated for this.
         hint=_("You get this result if you use the angle {angle} for {body}. Which bodies turn by this angle?"),
         groups=tuple(_RIDERS.split()),
-        change=_other_angle,
+        change=_swap_angles,
         example=("kinetic_energy_hoop", "½m'(RΦ'-X')²+½m'R²Φ'²"),
     ),
     *(
@@ -210,13 +210,16 @@ MISTAKES = (
 
 
 @cache
-def altered_machines() -> tuple[Altered, ...]:
-    """Return the machine of each mistake about each group of bodies, unless it equals the right machine."""
+def altered_machines() -> tuple[AlteredMachine, ...]:
+    """Return an altered machine for each mistake and each of its groups of bodies.
+
+    Machines that equal the right one are left out.
+    """
     machines = []
     for mistake in MISTAKES:
         for group in mistake.groups:
             bodies = (_change(body, mistake, group.split()) for body in right_machine().bodies)
-            altered = Altered(mistake, group, Machine(tuple(bodies)))
+            altered = AlteredMachine(mistake, group, Machine(tuple(bodies)))
             if altered.machine != right_machine():
                 machines.append(altered)
     return tuple(machines)
@@ -226,11 +229,12 @@ def _change(body: Body, mistake: Mistake, names: list[str]) -> Body:
     return replace(body, **mistake.change(body)) if body.name in names else body
 
 
-def find_common_hint(alternatives: Sequence[Altered]) -> str | None:
+def find_common_hint(alternatives: Sequence[AlteredMachine]) -> str | None:
     """Return the hint for altered machines with the same result, None without a common hint.
 
-    If the smallest group is part of every other group, the hint is about it: the other bodies do not affect the result.
-    Different moments of inertia of the lower rollers have a hint of their own. Other mistakes must be the same.
+    If the smallest group is part of every other group, the hint is about the smallest group. The other bodies do not
+    affect the result. Different moments of inertia of the lower rollers have a separate hint. Other mistakes have a
+    common hint only if they are the same.
     """
     smallest = min(alternatives, key=lambda altered: len(altered.bodies))
     has_same_mistake = all(altered.mistake is smallest.mistake for altered in alternatives)
@@ -252,10 +256,10 @@ _FORCE_ON_PHI = DomainMatrix([[_DOMAIN.zero], [_DOMAIN.one], [_DOMAIN.zero]], (3
 
 
 @cache
-def mass_matrix(bodies: Machine) -> tuple[tuple[sp.Expr, ...], ...]:
+def mass_matrix(machine: Machine) -> tuple[tuple[sp.Expr, ...], ...]:
     """Return the mass matrix of a machine, in the order X, φ, Φ."""
-    gradients = [(body.mass, _gradient(body.displacement)) for body in bodies.bodies]
-    gradients += [(body.moment_of_inertia, _gradient(body.angle)) for body in bodies.bodies]
+    gradients = [(body.mass, _gradient(body.displacement)) for body in machine.bodies]
+    gradients += [(body.moment_of_inertia, _gradient(body.angle)) for body in machine.bodies]
 
     def entry(i: int, j: int) -> sp.Expr:
         return sp.Add(*(inertia * gradient[i] * gradient[j] for inertia, gradient in gradients))
@@ -270,7 +274,7 @@ def _gradient(path: sp.Expr) -> tuple[sp.Expr, ...]:
     return tuple(sp.diff(path, q) for q in COORDINATES)
 
 
-def solve(name: str, bodies: Machine, factors: Mapping[tuple[int, int], int] = MappingProxyType({})) -> sp.Expr | None:
+def solve(name: str, machine: Machine, factors: Mapping[tuple[int, int], int] = MappingProxyType({})) -> sp.Expr | None:
     """Return the answer to a question from the equations of motion M a = −∂U/∂q, None without a solution.
 
     The only force is −∂U/∂φ = −stiffness·φ. So the accelerations are in the ratio of the column φ of M⁻¹, and Ω² is the
@@ -279,15 +283,15 @@ def solve(name: str, bodies: Machine, factors: Mapping[tuple[int, int], int] = M
     Parameters
     ----------
     name : the question
-    bodies : the machine
+    machine : the right or an altered machine
     factors : row and column of an entry of M → its factor, for a slip in the elimination
     """
-    matrix = [[_in_units(entry) for entry in row] for row in mass_matrix(bodies)]
+    matrix = [[_in_units(entry) for entry in row] for row in mass_matrix(machine)]
     for (row, column), factor in factors.items():
         matrix[row][column] *= factor
     # Without a top cylinder the Φ equation is empty. This entry makes Φ̈ zero.
     matrix[2][2] = matrix[2][2] or _DOMAIN.one
-    stiffness = _in_units(k * _gradient(bodies.deformation)[1] ** 2)
+    stiffness = _in_units(k * _gradient(machine.deformation)[1] ** 2)
     try:
         column = DomainMatrix(matrix, (3, 3), _DOMAIN).lu_solve(_FORCE_ON_PHI)
     except DMNonInvertibleMatrixError:
@@ -327,9 +331,9 @@ def _in_units(expression: sp.Expr) -> FracElement:
 
 
 def find_positive_root(condition: sp.Poly) -> sp.Expr | None:
-    """Return the positive root of a quadratic, None unless exactly one root is positive."""
+    """Return the positive root of a quadratic, None unless one root is positive and the other negative."""
     a, b, c = condition.all_coeffs()
-    has_one_positive_root = a * c < 0
-    if not has_one_positive_root:
+    has_roots_of_both_signs = a * c < 0
+    if not has_roots_of_both_signs:
         return None
     return (sp.sqrt(b**2 - 4 * a * c) / abs(a) - b / a) / 2

@@ -2,6 +2,8 @@
 
 A slip is an error in a formula, a guess, the answer to another question, or an error in the elimination. No two slips
 of one question have the same result, so a result determines the slip. Mistakes about bodies are in `machines`.
+
+The argument `right` of a function is the right answer to its question.
 """
 
 from collections.abc import Iterator
@@ -57,7 +59,7 @@ HINTS = {
     ),
     "kinetic_energy_alone": _("This is the kinetic energy alone. What does the Lagrangian contain besides it?"),
     "other_momentum": _("This is the momentum of {coordinate}. With respect to which velocity do you differentiate?"),
-    "no_2_of_derivative": _(
+    "no_factor_2": _(
         "You get this result if you leave out the 2 when you differentiate X′². What is the derivative of a square?"
     ),
     "block_alone": _("This is the momentum of the block alone. Which other bodies move when X changes?"),
@@ -154,7 +156,7 @@ class Slip(NamedTuple):
     id : its key in `HINTS`
     hint : the hint, with its slots filled
     example : a wrong answer with this slip, to one of its questions
-    results : the answers to which it leads; None for one without a solution
+    results : the wrong answers to which it leads; None for a wrong equation without a solution
     """
 
     id: str
@@ -166,7 +168,8 @@ class Slip(NamedTuple):
 Slips = Iterator[Slip]
 
 
-def _fill_slip(id: str, example: str, *results: sp.Expr | None, **slots: object) -> Slip:
+def _make_slip(id: str, *results: sp.Expr | None, example: str, **slots: object) -> Slip:
+    """Return a slip; `slots` are the values of the slots in its hint."""
     return Slip(id, HINTS[id].format(**slots), example, results)
 
 
@@ -177,7 +180,7 @@ def eliminate_right_machine() -> Elimination:
 
 def find_radius_slip(right: sp.Expr) -> Slip:
     """Return the slip of leaving out R."""
-    return _fill_slip("no_radius", "½m'(φ'-X')²+½m'φ'²", right.subs(R, 1))
+    return _make_slip("no_radius", right.subs(R, 1), example="½m'(φ'-X')²+½m'φ'²")
 
 
 # Energies
@@ -189,32 +192,34 @@ def find_energy_slips(name: str) -> Slips:
     whole = sp.expand(body.kinetic_energy)
     translation, rotation = body.translation, body.rotation
     squares = [term for term in sp.Add.make_args(whole) if len(term.atoms(sp.Derivative)) == 1]
-    yield _fill_slip("no_mixed_term", "½m'(R²φ'²+X'²)+½m'R²φ'²", sp.Add(*squares))
+    yield _make_slip("no_mixed_term", sp.Add(*squares), example="½m'(R²φ'²+X'²)+½m'R²φ'²")
     # Without the square, the sign of the velocity depends on the positive direction, which the student chooses.
     momentum = body.mass * body.velocity
     angular_momentum = body.moment_of_inertia * body.angle.diff(t)
     results = (angular_momentum + momentum) / 2, (angular_momentum - momentum) / 2
-    yield _fill_slip("velocity_not_squared", "½mX'", *results)
-    yield _fill_slip("no_half_of_energy", "mX'²", 2 * whole)
+    yield _make_slip("velocity_not_squared", *results, example="½mX'")
+    yield _make_slip("no_half_of_energy", 2 * whole, example="mX'²")
     if rotation == 0:
         return
-    yield _fill_slip("no_half_of_translation", "m'(Rφ'-X')²+½m'R²φ'²", 2 * translation + rotation)
-    yield _fill_slip("rotation_twice", "½m'(Rφ'-X')²+m'R²φ'²", whole + rotation)
+    yield _make_slip("no_half_of_translation", 2 * translation + rotation, example="m'(Rφ'-X')²+½m'R²φ'²")
+    yield _make_slip("rotation_twice", whole + rotation, example="½m'(Rφ'-X')²+m'R²φ'²")
     # For a hoop the difference contains no φ′², so it equals an answer in which that term is missing.
     if body.shape_factor != 1:
-        yield _fill_slip("energies_subtracted", "½m'(Rφ'-X')²-¼m'R²φ'²", translation - rotation, rotation - translation)
-    yield _fill_slip("rotation_alone", "½m'R²φ'²", rotation, body=machines.BODY_NAMES[name])
+        yield _make_slip(
+            "energies_subtracted", translation - rotation, rotation - translation, example="½m'(Rφ'-X')²-¼m'R²φ'²"
+        )
+    yield _make_slip("rotation_alone", rotation, example="½m'R²φ'²", body=machines.BODY_NAMES[name])
 
 
 def find_spring_slips() -> Slips:
     """Yield the slips in the energy of the spring."""
-    bodies = machines.right_machine()
-    path, block = bodies.deformation, bodies["block"].displacement
-    yield _fill_slip("no_half_of_spring", "k(2Rφ)²", k * path**2)
-    yield _fill_slip("deformation_not_squared", "½k·2Rφ", k * path / 2)
-    yield _fill_slip("spring_to_ground", "½k(2Rφ-X)²", k * (path + block) ** 2 / 2)
-    yield _fill_slip("block_added", "½k(2Rφ+X)²", k * (path - block) ** 2 / 2)
-    yield _fill_slip("spring_to_centres", "½k(Rφ)²", k * (bodies["hoop"].displacement - block) ** 2 / 2)
+    machine = machines.right_machine()
+    path, block = machine.deformation, machine["block"].displacement
+    yield _make_slip("no_half_of_spring", k * path**2, example="k(2Rφ)²")
+    yield _make_slip("deformation_not_squared", k * path / 2, example="½k·2Rφ")
+    yield _make_slip("spring_to_ground", k * (path + block) ** 2 / 2, example="½k(2Rφ-X)²")
+    yield _make_slip("block_added", k * (path - block) ** 2 / 2, example="½k(2Rφ+X)²")
+    yield _make_slip("spring_to_centres", k * (machine["hoop"].displacement - block) ** 2 / 2, example="½k(Rφ)²")
 
 
 # The Lagrangian, and the equations that follow from it
@@ -224,33 +229,33 @@ def find_lagrangian_slips(right: sp.Expr) -> Slips:
     """Yield the slips in the Lagrangian: in the sign of U and in U itself."""
     potential = machines.right_machine().potential_energy
     kinetic = "½(3m+2m')X'² + ¼(8m+7m')R²φ'² + ¾mR²Φ'² - 2(m+m')RX'φ' - mRX'Φ'"
-    yield _fill_slip("potential_energy_added", f"{kinetic} + 2kR²φ²", right + 2 * potential)
-    yield _fill_slip("kinetic_energy_alone", kinetic, right + potential)
+    yield _make_slip("potential_energy_added", right + 2 * potential, example=f"{kinetic} + 2kR²φ²")
+    yield _make_slip("kinetic_energy_alone", right + potential, example=kinetic)
     for slip in find_spring_slips():
         yield slip._replace(results=tuple(right + potential - wrong for wrong in slip.results))
 
 
 def find_momentum_slips(right: sp.Expr) -> Slips:
-    """Yield the slips in p_X."""
+    """Yield the slips in the momentum p_X."""
     rate = VELOCITIES[0]
     yield from _find_coordinate_slips("other_momentum", "(3/2)mR²Φ' - mRX'", eliminate_right_machine().momenta)
     half_as_much = right - right.coeff(rate) * rate / 2
-    yield _fill_slip("no_2_of_derivative", "½(3m+2m')X' - 2(m+m')Rφ' - mRΦ'", half_as_much)
-    yield _fill_slip("block_alone", "mX'", m * rate)
+    yield _make_slip("no_factor_2", half_as_much, example="½(3m+2m')X' - 2(m+m')Rφ' - mRΦ'")
+    yield _make_slip("block_alone", m * rate, example="mX'")
 
 
 def find_block_equation_slips(right: sp.Expr) -> Slips:
     """Yield the slips in the equation of motion of X."""
     of_velocities = right.xreplace(dict(zip(ACCELERATIONS, VELOCITIES, strict=True)))
-    yield _fill_slip("momentum_is_zero", "(3m+2m')X' = 2(m+m')Rφ' + mRΦ'", of_velocities)
+    yield _make_slip("momentum_is_zero", of_velocities, example="(3m+2m')X' = 2(m+m')Rφ' + mRΦ'")
     yield from _find_coordinate_slips("other_equation", "(3/2)RΦ'' = X''", eliminate_right_machine().motion)
-    yield _fill_slip("centres_do_not_accelerate", "X'' = Rφ''", ACCELERATIONS[0] - R * ACCELERATIONS[1])
+    yield _make_slip("centres_do_not_accelerate", ACCELERATIONS[0] - R * ACCELERATIONS[1], example="X'' = Rφ''")
 
 
 def _find_coordinate_slips(id: str, example: str, results: dict[sp.Expr, sp.Expr]) -> Slips:
     """Yield the slips of answering for φ or Φ instead of X."""
     for q, letter in zip(COORDINATES[1:], "φΦ", strict=True):
-        yield _fill_slip(id, example, results[q], coordinate=letter)
+        yield _make_slip(id, results[q], example=example, coordinate=letter)
 
 
 # The elimination
@@ -259,18 +264,19 @@ def _find_coordinate_slips(id: str, example: str, results: dict[sp.Expr, sp.Expr
 def find_coupling_slips(name: str, right: sp.Expr) -> Slips:
     """Yield the slips in Ẍ/φ̈ or Φ̈/φ̈: guesses, the reciprocal, another quotient, and slips of the elimination."""
     if name == "block_coupling":
-        yield _fill_slip("centres_at_rest", "R", R)
-        yield _fill_slip("slab_at_rest", "2R", 2 * R)
+        yield _make_slip("centres_at_rest", R, example="R")
+        yield _make_slip("slab_at_rest", 2 * R, example="2R")
     else:
-        yield _fill_slip("rollers_turn_alike", "1", sp.S.One)
-    yield _fill_slip("reciprocal_coupling", "(7m+6m')/(4(m+m'))", 1 / right)
-    block, top = find_factor_of_acceleration("X_from_phi"), find_factor_of_acceleration("Phi_from_phi")
+        yield _make_slip("rollers_turn_alike", sp.S.One, example="1")
+    yield _make_slip("reciprocal_coupling", 1 / right, example="(7m+6m')/(4(m+m'))")
+    block = find_factor_of_acceleration("X_ddot_from_phi_ddot")
+    top = find_factor_of_acceleration("Phi_ddot_from_phi_ddot")
     quotients = {("X", "φ"): block, ("Φ", "φ"): top, ("X", "Φ"): block / top, ("Φ", "X"): top / block}
     for (above, below), quotient in quotients.items():
         if quotient != right:
             pair = {"above": above, "below": below}
-            yield _fill_slip("other_pair", "4(m+m')/(7m+6m')", quotient, **pair)
-            yield _fill_slip("other_pair_and_radius", "2/3", quotient * R, quotient / R, **pair)
+            yield _make_slip("other_pair", quotient, example="4(m+m')/(7m+6m')", **pair)
+            yield _make_slip("other_pair_and_radius", quotient * R, quotient / R, example="2/3", **pair)
     yield from _find_mass_slips(right)
     yield from find_elimination_slips(name)
 
@@ -281,10 +287,12 @@ def find_factor_of_acceleration(equation: str) -> sp.Expr:
 
 
 def find_phi_equation_slips(right: sp.Expr) -> Slips:
-    """Yield the slips in the equation of motion of φ."""
-    yield _fill_slip("after_insertion", "R(32m²+49mm'+18m'²)/(2(7m+6m'))", find_factor_of_acceleration("remaining"))
-    yield _fill_slip("times_radius", "R²(8m+7m')/2", right * R)
-    yield _fill_slip("reciprocal_factor", "2/(R(8m+7m'))", 1 / right)
+    """Yield the slips in the factor of φ̈ in the equation of motion of φ."""
+    yield _make_slip(
+        "after_insertion", find_factor_of_acceleration("remaining"), example="R(32m²+49mm'+18m'²)/(2(7m+6m'))"
+    )
+    yield _make_slip("times_radius", right * R, example="R²(8m+7m')/2")
+    yield _make_slip("reciprocal_factor", 1 / right, example="2/(R(8m+7m'))")
     yield from _find_mass_slips(right)
 
 
@@ -292,37 +300,37 @@ def find_frequency_slips(right: sp.Expr) -> Slips:
     """Yield the slips in Ω²."""
     for_equal_masses = right.subs(m_prime, m)
     total_mass = sum(body.mass for body in machines.right_machine().bodies)
-    yield _fill_slip("square_root_of_answer", "√(8k(7m+6m')/(32m²+49mm'+18m'²))", sp.sqrt(right))
-    yield _fill_slip("square_of_answer", "(8k(7m+6m')/(32m²+49mm'+18m'²))²", right**2)
-    yield _fill_slip("normalized", "8m(7m+6m')/(32m²+49mm'+18m'²)", right * m / k)
-    yield _fill_slip("plain_mass", "k/m", k / m)
-    yield _fill_slip("block_and_slab", "2k/m", 2 * k / m)
-    yield _fill_slip("one_large_mass", "k/(3m+2m')", k / total_mass)
-    yield _fill_slip("equal_masses_normalized", "104/99", for_equal_masses * m / k)
-    yield _fill_slip("root_for_equal_masses", "√(104k/(99m))", sp.sqrt(for_equal_masses))
-    yield _fill_slip("reciprocal_frequency", "(32m²+49mm'+18m'²)/(8k(7m+6m'))", 1 / right)
+    yield _make_slip("square_root_of_answer", sp.sqrt(right), example="√(8k(7m+6m')/(32m²+49mm'+18m'²))")
+    yield _make_slip("square_of_answer", right**2, example="(8k(7m+6m')/(32m²+49mm'+18m'²))²")
+    yield _make_slip("normalized", right * m / k, example="8m(7m+6m')/(32m²+49mm'+18m'²)")
+    yield _make_slip("plain_mass", k / m, example="k/m")
+    yield _make_slip("block_and_slab", 2 * k / m, example="2k/m")
+    yield _make_slip("one_large_mass", k / total_mass, example="k/(3m+2m')")
+    yield _make_slip("equal_masses_normalized", for_equal_masses * m / k, example="104/99")
+    yield _make_slip("root_for_equal_masses", sp.sqrt(for_equal_masses), example="√(104k/(99m))")
+    yield _make_slip("reciprocal_frequency", 1 / right, example="(32m²+49mm'+18m'²)/(8k(7m+6m'))")
     yield from _find_mass_slips(right)
     yield from find_elimination_slips("natural_frequency_squared")
 
 
 def _find_mass_slips(right: sp.Expr) -> Slips:
-    """Yield an answer for equal masses, and answers with m and m′ interchanged."""
-    yield _fill_slip("equal_masses", "12R/13", right.subs(m_prime, m), right.subs(m, m_prime))
+    """Yield the slips of answering for equal masses, and of interchanging m and m′."""
+    yield _make_slip("equal_masses", right.subs(m_prime, m), right.subs(m, m_prime), example="12R/13")
     numerator, denominator = sp.fraction(right)
     interchange = {m: m_prime, m_prime: m}
     wrong_numerator, wrong_denominator = numerator.xreplace(interchange), denominator.xreplace(interchange)
     results = wrong_numerator / denominator, numerator / wrong_denominator, wrong_numerator / wrong_denominator
-    yield _fill_slip("masses_interchanged", "6R(m+m')/(6m+7m')", *results)
+    yield _make_slip("masses_interchanged", *results, example="6R(m+m')/(6m+7m')")
 
 
 def find_elimination_slips(name: str) -> Slips:
     """Yield the slips in the elimination; each multiplies one entry of the mass matrix by a factor."""
     solve = partial(machines.solve, name, machines.right_machine())
     # The rows and columns 0, 1 and 2 belong to X, φ and Φ.
-    yield _fill_slip("no_top_in_block_equation", "2(m+m')R/(3m+2m')", solve({(0, 2): 0}))
-    yield _fill_slip("block_stands_still", "8k/(8m+7m')", solve({(1, 0): 0}))
+    yield _make_slip("no_top_in_block_equation", solve({(0, 2): 0}), example="2(m+m')R/(3m+2m')")
+    yield _make_slip("block_stands_still", solve({(1, 0): 0}), example="8k/(8m+7m')")
     for letter, row in (("Φ", 2), ("X", 1)):
-        yield _fill_slip("wrong_sign_inserted", "6R(m+m')/(11m+6m')", solve({(row, 0): -1}), q=letter)
+        yield _make_slip("wrong_sign_inserted", solve({(row, 0): -1}), example="6R(m+m')/(11m+6m')", q=letter)
 
 
 # The mass ratio
@@ -333,16 +341,16 @@ def find_mass_ratio_slips() -> Slips:
     condition = unit_frequency_condition()
     (a, b, c), discriminant = condition.quadratic.all_coeffs(), condition.discriminant
     root = sp.sqrt(discriminant)
-    yield _fill_slip("other_root", "(-√1729-1)/36", (-b - root) / (2 * a))
-    yield _fill_slip("sign_of_b", "(√1729+1)/36", (b + root) / (2 * a))
-    yield _fill_slip("inverse_ratio", "36/(√1729-1)", 1 / condition.root)
-    yield _fill_slip("no_square_root", "(1729-1)/36", (discriminant - b) / (2 * a))
-    yield _fill_slip("no_linear_term", "√(24/18)", sp.sqrt(-c / a))
-    yield _fill_slip("only_one_term_divided", "√1729-1/36", root - b / (2 * a), root / (2 * a) - b)
-    yield _fill_slip("divided_by_a", "(√1729-1)/18", (root - b) / a)
-    yield _fill_slip("no_b", "√1729/36", root / (2 * a))
-    yield _fill_slip("no_b_squared", "(√1728-1)/36", (sp.sqrt(-4 * a * c) - b) / (2 * a))
-    yield _fill_slip("no_4_under_root", "(√433-1)/36", (sp.sqrt(b**2 - a * c) - b) / (2 * a))
+    yield _make_slip("other_root", (-b - root) / (2 * a), example="(-√1729-1)/36")
+    yield _make_slip("sign_of_b", (b + root) / (2 * a), example="(√1729+1)/36")
+    yield _make_slip("inverse_ratio", 1 / condition.root, example="36/(√1729-1)")
+    yield _make_slip("no_square_root", (discriminant - b) / (2 * a), example="(1729-1)/36")
+    yield _make_slip("no_linear_term", sp.sqrt(-c / a), example="√(24/18)")
+    yield _make_slip("only_one_term_divided", root - b / (2 * a), root / (2 * a) - b, example="√1729-1/36")
+    yield _make_slip("divided_by_a", (root - b) / a, example="(√1729-1)/18")
+    yield _make_slip("no_b", root / (2 * a), example="√1729/36")
+    yield _make_slip("no_b_squared", (sp.sqrt(-4 * a * c) - b) / (2 * a), example="(√1728-1)/36")
+    yield _make_slip("no_4_under_root", (sp.sqrt(b**2 - a * c) - b) / (2 * a), example="(√433-1)/36")
     for slip in _find_condition_slips():
         roots = (machines.find_positive_root(sp.Poly(wrong, epsilon)) for wrong in slip.results)
         yield slip._replace(results=tuple(roots))
@@ -351,9 +359,9 @@ def find_mass_ratio_slips() -> Slips:
 
 def find_quadratic_slips(right: sp.Expr) -> Slips:
     """Yield the slips in the quadratic equation for the unit mass ratio."""
-    yield _fill_slip("no_term_in_ratio", "18ε² = 24", right - right.coeff(epsilon) * epsilon)
+    yield _make_slip("no_term_in_ratio", right - right.coeff(epsilon) * epsilon, example="18ε² = 24")
     of_inverse = sp.expand(right.subs(epsilon, 1 / epsilon) * epsilon**2)
-    yield _fill_slip("equation_of_inverse", "24ε² = ε + 18", of_inverse)
+    yield _make_slip("equation_of_inverse", of_inverse, example="24ε² = ε + 18")
     yield from _find_condition_slips()
     yield from find_elimination_slips("unit_quadratic")
 
@@ -361,12 +369,12 @@ def find_quadratic_slips(right: sp.Expr) -> Slips:
 def _find_condition_slips() -> Slips:
     """Yield the slips between Ω²m/k = 1 and the quadratic: in signs, and in the product in the numerator."""
     above, below = sp.fraction(unit_frequency_condition().normalized_frequency_squared)
-    yield _fill_slip("sides_added", "18ε² + 97ε + 88 = 0", below + above)
+    yield _make_slip("sides_added", below + above, example="18ε² + 97ε + 88 = 0")
     terms = sp.expand(above).as_ordered_terms()
     for term in terms:
         shown = str(term).replace("*varepsilon", "ε")
-        yield _fill_slip("sign_kept", "18ε² + 97ε - 24 = 0", below - sum(terms) + 2 * term, term=shown)
+        yield _make_slip("sign_kept", below - sum(terms) + 2 * term, example="18ε² + 97ε - 24 = 0", term=shown)
     factor, inner = above.as_content_primitive()
-    yield _fill_slip("no_factor_of_numerator", "18ε² + 43ε + 25 = 0", below - inner, factor=factor)
+    yield _make_slip("no_factor_of_numerator", below - inner, example="18ε² + 43ε + 25 = 0", factor=factor)
     one_term = (below - inner - (factor - 1) * term for term in inner.as_ordered_terms())
-    yield _fill_slip("only_one_term_multiplied", "18ε² + 49ε + 32 = 8·7 + 6ε", *one_term)
+    yield _make_slip("only_one_term_multiplied", *one_term, example="18ε² + 49ε + 32 = 8·7 + 6ε")

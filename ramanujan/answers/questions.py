@@ -13,14 +13,14 @@ from sympy.polys.fields import FracElement
 
 from ramanujan.answers import machines, mistakes
 from ramanujan.answers.formulas import leaves, length, remove_signs
-from ramanujan.answers.machines import BODY_NAMES, Altered
+from ramanujan.answers.machines import BODY_NAMES, AlteredMachine
 from ramanujan.answers.mistakes import Slip, Slips, eliminate_right_machine
 from ramanujan.answers.spelling import MOTION, SYMBOLS, TEXTBOOK
 from ramanujan.answers.terms import NAMES, Comparison, to_fraction
 from ramanujan.answers.values import Mistakes, Values, agree, evaluate_at_points, evaluate_quotients
 from ramanujan.derivation import ROUTES, Step, model
 from ramanujan.derivation.elimination import Phi_ddot, X_ddot, phi_ddot
-from ramanujan.derivation.model import Machine, R, X, epsilon, m, m_prime, machine, phi, t
+from ramanujan.derivation.model import Machine, R, X, epsilon, m, m_prime, phi, t
 from ramanujan.derivation.numbers import unit_frequency_condition
 from ramanujan.derivation.printers import latex
 from ramanujan.translation import _
@@ -44,7 +44,7 @@ class Question:
     steps : keys of the steps in the route of Euler and Lagrange that explain the answer; the last step contains it
     next_question : the lecturer's next question after a wrong answer
     find_slips : function (right answer) → its slips
-    of_machine : function (machine with wrong bodies) → the answer for it
+    of_machine : function (altered machine) → the answer that follows from it
     of_terms : product of names, as shown → the next question about its coefficient
     letters : letter of the textbook → its meaning here, and a question about the meaning
     variables : the variables of the answer as a polynomial
@@ -80,7 +80,10 @@ class Question:
 
     @property
     def names(self) -> tuple[str, ...]:
-        """The typed names that the answer may contain. If it contains both masses, it may also contain ε for m′/m."""
+        """The typed names that the answer may contain.
+
+        An answer with both masses may also contain ε for m′/m. A polynomial or an equation in the motion may not.
+        """
         allowed = leaves(self.right)
         if {m, m_prime} <= allowed and self.variables == NAMES:
             allowed |= {epsilon}
@@ -156,9 +159,9 @@ class Question:
         return tuple(slips)
 
     @cached_property
-    def values_of_wrong_bodies(self) -> Mistakes:
-        """Hint and values of each machine with wrong bodies, unless different mistakes have the same values."""
-        groups: list[tuple[Values, list[Altered]]] = []
+    def values_of_body_mistakes(self) -> Mistakes:
+        """Hint and values of each mistake in bodies, unless different mistakes have the same values."""
+        groups: list[tuple[Values, list[AlteredMachine]]] = []
         for altered in machines.altered_machines():
             values = self._values_of_mistake(self.of_machine(altered.machine))
             if values:
@@ -190,7 +193,7 @@ class Question:
         return max(map(length, forms))
 
 
-def _add_to_group(groups: list[tuple[Values, list[Altered]]], values: Values, altered: Altered) -> None:
+def _add_to_group(groups: list[tuple[Values, list[AlteredMachine]]], values: Values, altered: AlteredMachine) -> None:
     """Add an altered machine to the group with the same values, or to a new group."""
     for group_values, group in groups:
         if agree(group_values, values):
@@ -232,7 +235,7 @@ def _find_step(key: str) -> Step:
 
 
 def _make_body_question(name: str) -> Question:
-    body, body_name = machine()[name], BODY_NAMES[name]
+    body, body_name = machines.right_machine()[name], BODY_NAMES[name]
     # The block has no rate: its velocity contains only X′.
     rate = {"block": "", "top": "Φ′"}.get(name, "φ′")
     templates = {
@@ -270,7 +273,7 @@ def _make_body_question(name: str) -> Question:
         steps=("velocities", "energies") if body.angle == 0 else ("velocities", "inertia", "energies"),
         next_question=next_question.format(body=body_name),
         find_slips=lambda _right: mistakes.find_energy_slips(name),
-        of_machine=lambda bodies: bodies[name].kinetic_energy,
+        of_machine=lambda machine: machine[name].kinetic_energy,
         of_terms=hints,
         letters=letters,
         variables=MOTION,
@@ -303,14 +306,14 @@ def _write_equation_prompt() -> str:
     return prompt.format(coordinate=f"${latex(phi)}$", equation=f"${latex(with_letter)}=0$")
 
 
-def _compute_first_row(bodies: Machine, states: tuple[sp.Expr, ...]) -> sp.Expr:
+def _compute_first_row(machine: Machine, states: tuple[sp.Expr, ...]) -> sp.Expr:
     """Return the first row of the mass matrix of a machine times velocities or accelerations."""
-    return sp.Add(*map(sp.Mul, machines.mass_matrix(bodies)[0], states))
+    return sp.Add(*map(sp.Mul, machines.mass_matrix(machine)[0], states))
 
 
-def _derive_block_equation(bodies: Machine) -> sp.Expr | None:
+def _derive_block_equation(machine: Machine) -> sp.Expr | None:
     """Return the equation of motion of X, None for an equation with one term, which states only that it is zero."""
-    equation = _compute_first_row(bodies, model.ACCELERATIONS)
+    equation = _compute_first_row(machine, model.ACCELERATIONS)
     return equation if equation.is_Add else None
 
 
@@ -319,7 +322,7 @@ _ALL = (
     Question(
         name="potential_energy",
         quantity=_("the potential energy"),
-        answer=lambda: machine().potential_energy,
+        answer=lambda: machines.right_machine().potential_energy,
         prompt=lambda: _(
             "What is the potential energy of the spring when the lower rollers have turned by {angle}?"
         ).format(angle=f"${latex(phi)}$"),
@@ -328,7 +331,7 @@ _ALL = (
         steps=("inertia", "energies"),
         next_question=_("How far is the spring compressed when the lower rollers have turned by φ?"),
         find_slips=lambda _right: mistakes.find_spring_slips(),
-        letters={TEXTBOOK["x"]: (machine().deformation, _("What is x in terms of φ?"))},
+        letters={TEXTBOOK["x"]: (machines.right_machine().deformation, _("What is x in terms of φ?"))},
         variables=MOTION,
     ),
     Question(
@@ -341,7 +344,7 @@ _ALL = (
         steps=("energies", "sum", "lagrangian"),
         next_question=_("What are the kinetic energies of the five bodies, and what is the potential energy?"),
         find_slips=mistakes.find_lagrangian_slips,
-        of_machine=lambda bodies: bodies.kinetic_energy - bodies.potential_energy,
+        of_machine=lambda machine: machine.kinetic_energy - machine.potential_energy,
         variables=MOTION,
         accepts_any_form=True,
     ),
@@ -357,7 +360,7 @@ _ALL = (
         steps=("momenta",),
         next_question=_("Which terms of the Lagrangian contain X′?"),
         find_slips=mistakes.find_momentum_slips,
-        of_machine=lambda bodies: _compute_first_row(bodies, model.VELOCITIES),
+        of_machine=lambda machine: _compute_first_row(machine, model.VELOCITIES),
         variables=MOTION,
     ),
     Question(
@@ -386,9 +389,11 @@ _ALL = (
         of_machine=partial(machines.solve, "phi_equation"),
         symbol=sp.Symbol("a"),
     ),
-    _make_coupling_question("block_coupling", _("the factor in the block’s acceleration"), X_ddot, "X_from_phi"),
     _make_coupling_question(
-        "top_coupling", _("the factor in the top cylinder’s acceleration"), Phi_ddot, "Phi_from_phi"
+        "block_coupling", _("the factor in the block’s acceleration"), X_ddot, "X_ddot_from_phi_ddot"
+    ),
+    _make_coupling_question(
+        "top_coupling", _("the factor in the top cylinder’s acceleration"), Phi_ddot, "Phi_ddot_from_phi_ddot"
     ),
     Question(
         name="natural_frequency_squared",

@@ -124,29 +124,29 @@ Token: TypeAlias = str | sp.Expr
 
 
 def split_into_tokens(text: str) -> Iterator[tuple[Token, bool]]:
-    """Yield numbers, names and signs, each with a flag for a space before it."""
+    """Yield each number, name and sign, and whether a space precedes it."""
     position = 0
-    spaced = False
+    follows_space = False
     while position < len(text):
         if text[position] == " ":
             position += 1
-            spaced = True
+            follows_space = True
             continue
         match = _TOKEN.match(text, position)
         if match is None:
             raise UnreadableError(_explain_character(text[position]))
         position = match.end()
         if match["number"]:
-            yield _read_number(match["number"]), spaced
+            yield _read_number(match["number"]), follows_space
         elif match["fraction"]:
-            yield sp.Rational(unicodedata.numeric(match[0])).limit_denominator(10), spaced
+            yield sp.Rational(unicodedata.numeric(match[0])).limit_denominator(10), follows_space
         elif match["word"]:
             for name in _split_names(match["word"]):
-                yield _ALL.get(name, name), spaced
-                spaced = False
+                yield _ALL.get(name, name), follows_space
+                follows_space = False
         else:
-            yield match["sign"], spaced
-        spaced = False
+            yield match["sign"], follows_space
+        follows_space = False
 
 
 def _explain_character(character: str) -> str:

@@ -102,7 +102,10 @@ def _check_size(expression: sp.Expr) -> None:
 
 
 def _count_terms(expression: sp.Expr) -> float:
-    """Return an upper bound of the number of terms after expansion, infinity if the formula divides by a sum."""
+    """Return an upper bound of the number of terms after expansion.
+
+    The bound is infinite if a sum has a negative or a fractional exponent.
+    """
     if expression.is_Add:
         return sum(map(_count_terms, expression.args))
     if expression.is_Mul:
@@ -135,7 +138,7 @@ def to_fraction(expression: sp.Expr, *, is_in_ratio: bool = False) -> FracElemen
 
     Raises
     ------
-    NotComparableError : it is too large, or contains a root.
+    NotComparableError : the formula is too large, or contains a root.
     """
     _check_size(expression)
     masses = {m_prime: epsilon * m} if is_in_ratio else {epsilon: m_prime / m}
@@ -204,7 +207,10 @@ def summarize(differences: list[TermDifference]) -> list[str]:
 
 
 def describe_multiple(ratio: FracElement) -> list[str]:
-    """Return a sentence with the ratio of the typed answer to the right one; an empty list unless it is simple."""
+    """Return a sentence with the ratio of the typed answer to the right one.
+
+    The list is empty unless the ratio is a quotient of two single terms.
+    """
     factor = format_factor(ratio)
     if factor is None:
         return []

@@ -46,7 +46,7 @@ def evaluate(expression: sp.Expr, values: Mapping[sp.Expr, PreciseNumber]) -> Pr
 
     Raises
     ------
-    ArithmeticError : it divides by zero, or takes the root of a negative number (`NegativeRootError`).
+    ArithmeticError : the formula divides by zero, or takes the root of a negative number (`NegativeRootError`).
     """
     if expression in values:
         return values[expression]
@@ -55,7 +55,7 @@ def evaluate(expression: sp.Expr, values: Mapping[sp.Expr, PreciseNumber]) -> Pr
     if expression.is_Add:
         return _sum([evaluate(part, values) for part in expression.args])
     if expression.is_Pow:
-        return _raise(evaluate(expression.base, values), expression.exp)
+        return _compute_power(evaluate(expression.base, values), expression.exp)
     number = sp.Rational(str(expression))
     return _MP.mpf(number.p) / number.q
 
@@ -68,8 +68,13 @@ def _sum(parts: list[PreciseNumber]) -> PreciseNumber:
     return total
 
 
-def _raise(base: PreciseNumber, exponent: sp.Rational) -> PreciseNumber:
-    """Return a power with an integer or a half-integer exponent."""
+def _compute_power(base: PreciseNumber, exponent: sp.Rational) -> PreciseNumber:
+    """Return a power with an integer or a half-integer exponent.
+
+    Raises
+    ------
+    NegativeRootError : the power is the root of a negative number.
+    """
     if exponent.is_Integer:
         return base ** int(exponent)
     if base < 0:
@@ -116,16 +121,16 @@ def evaluate_at_points(expression: sp.Expr, points: tuple[dict[sp.Expr, PreciseN
 
     Raises
     ------
-    ArithmeticError : it divides by zero, or takes the root of a negative number (`NegativeRootError`), at a point.
+    ArithmeticError : under the conditions of `evaluate`, at a point.
     """
     return tuple(evaluate(expression, values) for values in points)
 
 
 def evaluate_quotients(expression: sp.Expr, names: tuple[str, ...]) -> Values:
-    """Return values that do not change if the equation “expression = 0” is multiplied by a factor.
+    """Return values that do not change if the equation “expression = 0” is multiplied by a factor without `names`.
 
-    They are quotients of its values at `POINTS` and at points with other values of `names`. A factor without these
-    names cancels.
+    The values are quotients of the expression at `POINTS` and at points with other values of `names`, so such a factor
+    cancels.
 
     Raises
     ------
@@ -180,8 +185,9 @@ def find_decimals(expression: sp.Expr) -> set[sp.Symbol]:
 def compute_rounding_error(expression: sp.Expr, target: Values) -> PreciseNumber | None:
     """Return the rounding error of a decimal in the formula, in units of its last digit.
 
-    The exact number makes the formula equal to the target at all points. Return None if no such number exists within
-    one and a half units, or if the exact number fits into the typed digits: 0.6 for ½ is wrong, not rounded.
+    In place of the decimal, the exact number makes the formula equal to the target at all points. The rounding error is
+    the difference between both numbers. Return None if no exact number exists within one and a half units. Return None
+    also if the exact number has no more digits than the decimal: 0.6 instead of ½ is wrong, not rounded.
     """
     for decimal in find_decimals(expression):
         _whole, _point, places = decimal.name.partition(".")
@@ -194,8 +200,8 @@ def compute_rounding_error(expression: sp.Expr, target: Values) -> PreciseNumber
         if exact is None:
             continue
         in_units = exact / unit
-        fits_into_digits = abs(in_units - _MP.nint(in_units)) <= _MP.mpf(10) ** -60
-        if not fits_into_digits:
+        needs_no_rounding = abs(in_units - _MP.nint(in_units)) <= _MP.mpf(10) ** -60
+        if not needs_no_rounding:
             return abs(exact - typed) / unit
     return None
 
@@ -249,21 +255,21 @@ def find_unit(expression: sp.Expr) -> str:
     sums_of_units = [total for total in value.atoms(sp.Add) if total.free_symbols]
     if sums_of_units:
         first, second, *_others = min(sums_of_units, key=sp.default_sort_key).args
-        raise DifferentUnitsError(*sorted((_unit_text(first), _unit_text(second))))
-    return _unit_text(value)
+        raise DifferentUnitsError(*sorted((_format_unit(first), _format_unit(second))))
+    return _format_unit(value)
 
 
-def _unit_text(value: sp.Expr) -> str:
+def _format_unit(value: sp.Expr) -> str:
     powers = value.as_powers_dict()
-    above = [_power(base, powers[base]) for base in (_KG, _M, _S) if powers[base] > 0]
-    below = [_power(base, -powers[base]) for base in (_KG, _M, _S) if powers[base] < 0]
+    above = [_format_power(base, powers[base]) for base in (_KG, _M, _S) if powers[base] > 0]
+    below = [_format_power(base, -powers[base]) for base in (_KG, _M, _S) if powers[base] < 0]
     numerator, denominator = "·".join(above), "·".join(below)
     if not below:
         return numerator
     return f"{numerator or 1}/({denominator})" if len(below) > 1 else f"{numerator or 1}/{denominator}"
 
 
-def _power(base: sp.Symbol, exponent: sp.Rational) -> str:
+def _format_power(base: sp.Symbol, exponent: sp.Rational) -> str:
     if exponent == 1:
         return base.name
     return f"{base.name}{superscript(int(exponent))}" if exponent.is_Integer else f"{base.name}^({exponent})"

@@ -57,8 +57,8 @@ def collect_files() -> dict[str, bytes]:
 
 
 @cache
-def folder() -> str:
-    """Return the folder of `collect_files` in an address, relative to the app's address."""
+def folder_url() -> str:
+    """Return the URL of the folder with the files, relative to the app's URL; it changes with their contents."""
     listing = repr(sorted(collect_files().items()))
     version = sha256(listing.encode()).hexdigest()[:12]
     return f"modules/{version}"
@@ -69,7 +69,7 @@ def component(name: str) -> Callable[..., Any]:
     """Return the component of a module, such as components/link. Its script loads the module by begin.js."""
     # All components have the same script, so a browser parses it once. It is short, because Streamlit sends it with
     # every run of the page. It has two lines, because Streamlit interprets a single line as the name of a file.
-    begin = f'new URL("{folder()}/begin.js", document.baseURI)'
+    begin = f'new URL("{folder_url()}/begin.js", document.baseURI)'
     return st.components.v2.component(name, js=f"export default async (c) =>\n(await import({begin})).begin(c)")
 
 

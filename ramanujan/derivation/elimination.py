@@ -21,9 +21,9 @@ class Elimination:
     momenta, forces : coordinate → p = ∂ℒ/∂q̇, and coordinate → ∂ℒ/∂q
     common : coordinate → common factor of the terms of ṗ − ∂ℒ/∂q
     motion : coordinate → (ṗ − ∂ℒ/∂q)/common, the left side of the equation of motion, whose right side is 0
-    times, merged : the factor of the X equation, and the three lines that eliminate Φ̈, from `_merge_equations`
-    Phi_from_X : Φ̈ in terms of Ẍ
-    X_from_phi, Phi_from_phi : Ẍ and Φ̈ in terms of φ̈
+    multiplier, merged : the factor of the X equation, and the three lines that eliminate Φ̈, from `_merge_equations`
+    Phi_ddot_from_X_ddot : Φ̈ in terms of Ẍ
+    X_ddot_from_phi_ddot, Phi_ddot_from_phi_ddot : Ẍ and Φ̈ in terms of φ̈
     inserted, remaining : the φ equation with Ẍ inserted, before and after like terms are gathered
     natural_frequency_squared : Ω²
     """
@@ -33,11 +33,11 @@ class Elimination:
     forces: dict[sp.Expr, sp.Expr]
     common: dict[sp.Expr, sp.Expr]
     motion: dict[sp.Expr, sp.Expr]
-    times: sp.Rational
+    multiplier: sp.Rational
     merged: tuple[sp.Eq, ...]
-    Phi_from_X: sp.Expr
-    X_from_phi: sp.Expr
-    Phi_from_phi: sp.Expr
+    Phi_ddot_from_X_ddot: sp.Expr
+    X_ddot_from_phi_ddot: sp.Expr
+    Phi_ddot_from_phi_ddot: sp.Expr
     inserted: sp.Expr
     remaining: sp.Expr
     natural_frequency_squared: sp.Expr
@@ -47,7 +47,7 @@ class Elimination:
         """Numerator of Ω², and the terms of its denominator one by one.  Source: paper, eq. (12)."""
         phi_equation = self.motion[phi]
         own_inertia = phi_equation.coeff(phi_ddot)
-        inertia_of_block = phi_equation.coeff(X_ddot) * self.X_from_phi / phi_ddot
+        inertia_of_block = phi_equation.coeff(X_ddot) * self.X_ddot_from_phi_ddot / phi_ddot
         # Divide by the number before the masses.
         number, _masses = own_inertia.as_independent(m, m_prime)
         terms = (*order_terms(sp.expand(own_inertia / number)), sp.factor(inertia_of_block / number))
@@ -69,22 +69,22 @@ def eliminate(bodies: Machine) -> Elimination:
     left_sides = {q: gather(momenta[q].diff(t) - forces[q]) for q in COORDINATES}
     common = {q: _common_factor(left_side) for q, left_side in left_sides.items()}
     motion = {q: gather(sp.cancel(left_sides[q] / common[q])) for q in COORDINATES}
-    (Phi_from_X,) = sp.solve(motion[Phi], Phi_ddot)
-    (X_from_phi,) = sp.solve(motion[X].subs(Phi_ddot, Phi_from_X), X_ddot)
-    inserted = in_order(*(sp.factor(term.subs(X_ddot, X_from_phi)) for term in order_terms(motion[phi])))
+    (Phi_ddot_from_X_ddot,) = sp.solve(motion[Phi], Phi_ddot)
+    (X_ddot_from_phi_ddot,) = sp.solve(motion[X].subs(Phi_ddot, Phi_ddot_from_X_ddot), X_ddot)
+    inserted = in_order(*(sp.factor(term.subs(X_ddot, X_ddot_from_phi_ddot)) for term in order_terms(motion[phi])))
     remaining = gather(inserted.doit())
-    times, merged = _merge_equations(motion)
+    multiplier, merged = _merge_equations(motion)
     return Elimination(
         lagrangian=lagrangian,
         momenta=momenta,
         forces=forces,
         common=common,
         motion=motion,
-        times=times,
+        multiplier=multiplier,
         merged=merged,
-        Phi_from_X=Phi_from_X,
-        X_from_phi=sp.factor(X_from_phi),
-        Phi_from_phi=sp.factor(Phi_from_X.subs(X_ddot, X_from_phi)),
+        Phi_ddot_from_X_ddot=Phi_ddot_from_X_ddot,
+        X_ddot_from_phi_ddot=sp.factor(X_ddot_from_phi_ddot),
+        Phi_ddot_from_phi_ddot=sp.factor(Phi_ddot_from_X_ddot.subs(X_ddot, X_ddot_from_phi_ddot)),
         inserted=inserted,
         remaining=remaining,
         natural_frequency_squared=sp.factor(remaining.coeff(phi) / remaining.coeff(phi_ddot)),
@@ -92,23 +92,27 @@ def eliminate(bodies: Machine) -> Elimination:
 
 
 def _merge_equations(motion: dict[sp.Expr, sp.Expr]) -> tuple[sp.Rational, tuple[sp.Eq, ...]]:
-    """Return a factor of the X equation, and the three lines that eliminate Φ̈.
+    """Return a multiplier of the X equation, and the three lines that eliminate Φ̈.
 
-    The lines are the Φ equation solved for its term with Φ̈, the X equation times the factor, and the same with the term
-    with Φ̈ replaced. The factor is a number. The terms with Φ̈ may still differ by a symbol, `share`.
+    The multiplier is a number, such as 3/2. After the multiplication, the Φ equation's term with Φ̈ is minus `symbols`
+    times that of the X equation, for example with `symbols` = 1/m. The lines are
+
+    1. the Φ equation, solved for its term with Φ̈,
+    2. the X equation times the multiplier,
+    3. the second line with its term with Φ̈ replaced by means of the first line.
     """
     Phi_term = motion[Phi].coeff(Phi_ddot) * Phi_ddot
     equal_to_Phi_term = Phi_term - motion[Phi]
     ratio_of_Phi_terms = -motion[Phi].coeff(Phi_ddot) / motion[X].coeff(Phi_ddot)
-    times, share = ratio_of_Phi_terms.as_coeff_Mul()
-    X_term = sp.factor(times * motion[X].coeff(X_ddot)) * X_ddot
-    phi_term = sp.factor(times * motion[X].coeff(phi_ddot)) * phi_ddot
+    multiplier, symbols = ratio_of_Phi_terms.as_coeff_Mul()
+    X_term = sp.factor(multiplier * motion[X].coeff(X_ddot)) * X_ddot
+    phi_term = sp.factor(multiplier * motion[X].coeff(phi_ddot)) * phi_ddot
     lines = (
         equation(Phi_term, equal_to_Phi_term),
-        equation(in_order(X_term, -Phi_term / share), -phi_term),
-        equation(in_order(X_term, -sp.cancel(equal_to_Phi_term / share)), -phi_term),
+        equation(in_order(X_term, -Phi_term / symbols), -phi_term),
+        equation(in_order(X_term, -sp.cancel(equal_to_Phi_term / symbols)), -phi_term),
     )
-    return times, lines
+    return multiplier, lines
 
 
 @dataclass(frozen=True)
@@ -136,7 +140,7 @@ def unit_condition(natural_frequency_squared: sp.Expr) -> UnitCondition:
 
     Raises
     ------
-    ValueError : not exactly one positive mass ratio satisfies it.
+    ValueError : not exactly one positive mass ratio satisfies the condition.
 
     >>> from ramanujan.derivation.model import machine
     >>> unit_condition(eliminate(machine()).natural_frequency_squared).completed_square

@@ -158,7 +158,10 @@ def _bound_step(clamped: sp.Expr, least: sp.Expr, stiffness: sp.Expr) -> Step:
 
 
 def _spring_mass_step(bodies: Machine, least: sp.Expr, stiffness: sp.Expr) -> Step:
-    """Return the step to M_x, without the sentence about its two terms for equal masses or with numbers."""
+    """Return the step to M_x.
+
+    A sentence explains its two terms. For equal masses and with numbers they merge, and the sentence is left out.
+    """
     # The square of the spring's deformation, divided by that of the displacement Rφ.
     squared_ratio = sp.cancel(bodies.deformation / (R * phi)) ** 2
     spin = spin_of_lower_rollers(bodies)
@@ -175,7 +178,7 @@ def _spring_mass_step(bodies: Machine, least: sp.Expr, stiffness: sp.Expr) -> St
     )
     if not spin.has(m_prime):
         return merged
-    return replace(merged, reason=f"{reason} {spins}", special=lambda _numbers: merged)
+    return replace(merged, reason=f"{reason} {spins}", variant=lambda _numbers: merged)
 
 
 CELLS = {

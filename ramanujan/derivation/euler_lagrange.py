@@ -104,14 +104,14 @@ def _elimination_step(result: Elimination) -> Step:
             "The first line is the equation of $\\Phi$. Multiply the $X$ equation by ${times}$. It then contains "
             "${above}/{below}$, which by the first line equals ${same}$. Solve for ${same}$, and insert it into "
             "the first line."
-        ).format(times=result.times, above=latex(above), below=below, same=latex(Phi_line.rhs)),
+        ).format(times=result.multiplier, above=latex(above), below=below, same=latex(Phi_line.rhs)),
         *result.merged,
-        equation(X_ddot, result.X_from_phi),
-        equation(Phi_ddot, result.Phi_from_phi),
+        equation(X_ddot, result.X_ddot_from_phi_ddot),
+        equation(Phi_ddot, result.Phi_ddot_from_phi_ddot),
         marks=("", "left 2, right 1", "left 2", "", ""),
         operations=(
             rf"+\,{latex(Phi_line.rhs)}",
-            rf"\times {latex(result.times)}",
+            rf"\times {latex(result.multiplier)}",
             insert(X_ddot),
             solve_for(X_ddot),
             insert(X_ddot),

@@ -83,7 +83,7 @@ def to_latex(route: Route, numbers: Numbers | None = None) -> str:
     Parameters
     ----------
     route : one of `ROUTES`, in symbols
-    numbers : of the machine; none for the symbols
+    numbers : the machine's numbers; None for a result in symbols
     """
     listed = nomenclature(route).items()
     entries = "".join(f"\\item ${symbol}$: {prose_to_latex(meaning)}\n" for symbol, meaning in listed)
@@ -101,9 +101,9 @@ def to_beamer(route: Route, numbers: Numbers | None = None, picture: str = "", s
     Parameters
     ----------
     route : one of `ROUTES`, in symbols
-    numbers : of the machine; none for the symbols
-    picture : of the machine, as TikZ
-    step : number of the requested step, counted from 1; none for all
+    numbers : the machine's numbers; None for a result in symbols
+    picture : the machine as TikZ
+    step : number of the requested step, counted from 1; None for all steps
     """
     title = f"\\title{{{prose_to_latex(TITLE.format(route=route.title))}}}\n\\date{{}}\n"
     sentence = f"\n{prose_to_latex(state_numbers(numbers))}\n" if numbers else ""
@@ -122,7 +122,7 @@ def to_markdown(route: Route, numbers: Numbers | None = None) -> str:
     Parameters
     ----------
     route : one of `ROUTES`, in symbols
-    numbers : of the machine; none for the symbols
+    numbers : the machine's numbers; None for a result in symbols
     """
     opening = f"# {TITLE.format(route=route.title)}\n\n{_number_paragraph(numbers)}{_list_symbols(route)}"
     sections = (_markdown_section(n, step, numbers) for n, step in enumerate(route.steps, start=1))
@@ -135,7 +135,7 @@ def to_notebook(route: Route, numbers: Numbers | None = None) -> str:
     Parameters
     ----------
     route : one of `ROUTES`, in symbols
-    numbers : of the machine that the last cells insert; none for the symbols
+    numbers : the machine's numbers, which the last cells insert; None for no such cells
     """
     cells = [
         _cell("title", "markdown", f"# {TITLE.format(route=route.title)}\n\n{_BODIES}"),
@@ -172,7 +172,7 @@ def _latex_section(step: Step, numbers: Numbers | None) -> str:
 
 
 def _build_frames(step: Step, numbers: Numbers | None) -> list[tuple[str, str, str]]:
-    """Return the frames of a step, each with its label, heading and content: its reason, then its equations."""
+    """Return the frames of a step: label, heading and content of each. The first one begins with the step's reason."""
     adapted = step.for_numbers(numbers)
     broken = _break_lines(make_rows(step, numbers), _SLIDE_WIDTH)
     texts = [_format_equations(part, _SLIDE_WIDTH) if part else "" for part in _distribute(broken)]
@@ -205,7 +205,7 @@ def _break_lines(shown: list[Row], width: int) -> list[BrokenRow]:
 
 
 def _format_equations(broken: list[BrokenRow], width: int) -> str:
-    """Return rows as left &= right, with long sums broken into lines; an operation follows its row or is below it."""
+    """Return rows as left &= right, with long sums broken into lines; an operation is beside its row or below it."""
     equations = []
     for row, lines in broken:
         below = " \\\\\n  &" if measure_width(lines[-1] + row.margin) > width else ""

@@ -114,7 +114,7 @@ def _inversion_step(momenta: dict[sp.Expr, sp.Expr]) -> Step:
             "insert it into that of $X$. Solve the result for $\\dot X$ and insert it into that of $\\varphi$: "
             "only $\\dot\\varphi$ is left."
         ),
-        *_inversion(momenta),
+        *_invert_momenta(momenta),
         marks=("", "left 2, right 1", "", "left 2, right 1"),
         operations=(solve_for(Phi_dot), insert(Phi_dot), solve_for(X_dot), insert(X_dot)),
     )
@@ -211,7 +211,7 @@ def _frequency_step(
     )
 
 
-def _inversion(momenta: dict[sp.Expr, sp.Expr]) -> tuple[sp.Eq, ...]:
+def _invert_momenta(momenta: dict[sp.Expr, sp.Expr]) -> tuple[sp.Eq, ...]:
     """Return the lines from p = Mq̇ to one equation for φ̇: the equations of p_Φ and p_X are solved and inserted."""
     p_X, p_phi, p_Phi = MOMENTA
     (solved_Phi_dot,) = sp.solve(momenta[p_Phi] - p_Phi, Phi_dot)

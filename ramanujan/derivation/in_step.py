@@ -27,8 +27,8 @@ def close_to_one_step(normalized: sp.Expr) -> Step:
         equation(Omega_squared * m / k, normalized),
         operations=(rf"\times {latex(m / k)}",),
     )
-    special = replace(compared, equations=(equation(model.normalized_frequency_squared, normalized),))
-    return replace(compared, special=lambda _numbers: special)
+    with_one_symbol = replace(compared, equations=(equation(model.normalized_frequency_squared, normalized),))
+    return replace(compared, variant=lambda _numbers: with_one_symbol)
 
 
 RATIO = m_prime / m
@@ -56,8 +56,8 @@ class RatioForms:
 
     @property
     def left_over(self) -> sp.Expr:
-        """The two terms that cancel at ε*, because the third term equals the numerator."""
-        _plain, rollers, coupling = self.terms
+        """The sum of the second and third term, which is 0 at ε*. The first term equals the numerator and cancels."""
+        _first, rollers, coupling = self.terms
         return rollers + coupling
 
     def difference_at(self, numbers: Numbers) -> sp.Expr:
@@ -88,18 +88,18 @@ def _ratio_step(forms: RatioForms) -> Step:
         equation(epsilon, RATIO),
         equation(Omega_squared * m / k, forms.numerator / in_order(*forms.terms)),
         equation(Omega_squared * m / k, forms.condition.normalized_frequency_squared),
-        operations=(_defined(), rf"\times {latex(m / k)}", margin_text(_("one fraction"))),
+        operations=(_define_ratio(), rf"\times {latex(m / k)}", margin_text(_("one fraction"))),
     )
     equations = (
         equation(epsilon, RATIO),
         equation(_NORMALIZED, forms.numerator / in_order(*forms.terms)),
         equation(_NORMALIZED, forms.condition.normalized_frequency_squared.subs(epsilon, RATIO)),
     )
-    return replace(general, special=lambda _numbers: replace(general, equations=equations))
+    return replace(general, variant=lambda _numbers: replace(general, equations=equations))
 
 
 def _unit_step(forms: RatioForms) -> Step:
-    _plain, rollers, coupling = forms.terms
+    _first, rollers, coupling = forms.terms
     above, below = sp.fraction(coupling)
     multiplied = in_order(sp.Mul(rollers, below, evaluate=False), above)
     general = step(
@@ -130,7 +130,7 @@ def _unit_step(forms: RatioForms) -> Step:
         reason = _compare_with_plain_mass(forms.difference_at(numbers))
         return replace(general, reason=reason, equations=left, operations=(insert(epsilon),) * 2, marks=())
 
-    return replace(general, special=residual_step)
+    return replace(general, variant=residual_step)
 
 
 def _compare_with_plain_mass(difference: sp.Expr) -> str:
@@ -176,7 +176,7 @@ def _root_step(forms: RatioForms) -> Step:
             solve_for(epsilon),
         ),
     )
-    return replace(general, special=lambda _numbers: _distance_step(general, forms.condition))
+    return replace(general, variant=lambda _numbers: _distance_step(general, forms.condition))
 
 
 def _sum_of_cubes(smaller: int, larger: int) -> sp.Expr:
@@ -196,10 +196,10 @@ def _distance_step(general: Step, condition: UnitCondition) -> Step:
             equation(_NORMALIZED, condition.normalized_frequency_squared.subs(epsilon, RATIO)),
             equation(epsilon - epsilon_star, RATIO - condition.root),
         ),
-        operations=(_defined(), insert(epsilon), rf"-\,{latex(epsilon_star)}"),
+        operations=(_define_ratio(), insert(epsilon), rf"-\,{latex(epsilon_star)}"),
         marks=(),
     )
 
 
-def _defined() -> str:
+def _define_ratio() -> str:
     return margin_text(_("define {what}"), epsilon)

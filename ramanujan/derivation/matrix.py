@@ -172,9 +172,9 @@ def _zero_modes_step(result: Modes) -> Step:
         _("Look at the two zero modes"),
         _(
             "The zero modes are the vectors $v$ with $Kv=0$: these motions do not deform the spring. In the first "
-            "one the whole machine glides, and its momentum $-p_X$ is conserved. In the second one the top "
-            "cylinder rolls freely. There $p_\\Phi$ is conserved, its angular momentum about its line of contact "
-            "with the block."
+            "one the whole machine glides. Its momentum to the right, $-p_X$, is conserved. In the second one the top "
+            "cylinder rolls freely. Then $p_\\Phi$, the cylinder’s angular momentum about its line of contact with "
+            "the block, is conserved."
         ),
         *(
             equation(sp.MatMul(result.stiffness_matrix, mode, evaluate=False), sp.ImmutableMatrix.zeros(3, 1))

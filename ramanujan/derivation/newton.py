@@ -203,10 +203,10 @@ def build(bodies: Machine) -> Route:
         in_coordinates[name] = equation(left, right)
     difference = {name: balance.lhs - balance.rhs for name, balance in in_coordinates.items()}
     without_spring = gather(-(difference["block"] + difference["slab"]))
-    (Phi_from_X,) = sp.solve(difference["top"], Phi_ddot)
-    without_Phi = gather(without_spring.subs(Phi_ddot, Phi_from_X))
-    (X_from_phi,) = sp.solve(without_Phi, X_ddot)
-    of_phi = gather(difference["slab"].subs(X_ddot, X_from_phi))
+    (Phi_ddot_from_X_ddot,) = sp.solve(difference["top"], Phi_ddot)
+    without_Phi = gather(without_spring.subs(Phi_ddot, Phi_ddot_from_X_ddot))
+    (X_ddot_from_phi_ddot,) = sp.solve(without_Phi, X_ddot)
+    of_phi = gather(difference["slab"].subs(X_ddot, X_ddot_from_phi_ddot))
     steps = (
         _rolling_step(free_bodies),
         _forces_step(free_bodies),
@@ -214,7 +214,7 @@ def build(bodies: Machine) -> Route:
         _accelerations_step(bodies, centres),
         _friction_step(friction),
         _three_step({*centres, *friction}, remaining, in_coordinates),
-        _solution_step(Phi_from_X, X_from_phi, without_spring, without_Phi),
+        _solution_step(Phi_ddot_from_X_ddot, X_ddot_from_phi_ddot, without_spring, without_Phi),
         _contact_step(free_bodies),
         _frequency_step(of_phi, solved_phi_ddot, frequency),
     )
@@ -326,7 +326,9 @@ def _three_step(known: set[sp.Expr], remaining: dict[str, sp.Eq], in_coordinates
     )
 
 
-def _solution_step(Phi_from_X: sp.Expr, X_from_phi: sp.Expr, without_spring: sp.Expr, without_Phi: sp.Expr) -> Step:
+def _solution_step(
+    Phi_ddot_from_X_ddot: sp.Expr, X_ddot_from_phi_ddot: sp.Expr, without_spring: sp.Expr, without_Phi: sp.Expr
+) -> Step:
     return step(
         "solution",
         _("Eliminate the block and the top cylinder"),
@@ -334,11 +336,11 @@ def _solution_step(Phi_from_X: sp.Expr, X_from_phi: sp.Expr, without_spring: sp.
             "Solve the equation of the top cylinder for $\\ddot\\Phi$. In the sum of the two others the spring "
             "cancels. Insert $\\ddot\\Phi$ into it and solve for $\\ddot X$."
         ),
-        equation(Phi_ddot, Phi_from_X),
+        equation(Phi_ddot, Phi_ddot_from_X_ddot),
         equation(without_spring, sp.S.Zero),
         equation(without_Phi, sp.S.Zero),
-        equation(X_ddot, sp.factor(X_from_phi)),
-        equation(Phi_ddot, sp.factor(Phi_from_X.subs(X_ddot, X_from_phi))),
+        equation(X_ddot, sp.factor(X_ddot_from_phi_ddot)),
+        equation(Phi_ddot, sp.factor(Phi_ddot_from_X_ddot.subs(X_ddot, X_ddot_from_phi_ddot))),
         marks=("", "left 1, left 2", "left 1", "", ""),
         operations=(
             solve_for(Phi_ddot),

@@ -85,7 +85,7 @@ class Numbers:
         """
         if expression.free_symbols.isdisjoint(GIVEN):
             return expression
-        if _is_number(expression):
+        if _becomes_number(expression):
             return self.value(expression)
         if expression.is_Add:
             return in_order(*chain.from_iterable(self.terms(expression)))
@@ -98,7 +98,7 @@ class Numbers:
 
         A number before a bracket is multiplied into it. Such a term has several parts.
         """
-        if _is_number(total):
+        if _becomes_number(total):
             return [(self.value(total),)]
         inserted = map(self.insert_into, order_terms(total))
         return [term.args if isinstance(term, InOrder) else (term,) for term in inserted]
@@ -110,7 +110,7 @@ class Numbers:
 
     def _insert_into_product(self, expression: sp.Mul) -> sp.Expr:
         """Return a product with the numbers inserted. Number and denominator are multiplied into the first bracket."""
-        numbers, others = sift(expression.args, _is_number, binary=True)
+        numbers, others = sift(expression.args, _becomes_number, binary=True)
         sums = [factor for factor in others if factor.is_Add]
         if not numbers or not sums:
             number = [self.value(sp.Mul(*numbers))] if numbers else []
@@ -129,7 +129,7 @@ def _simplify_root(number: sp.Expr) -> sp.Expr:
     field = _field(root)
 
     def element(part: sp.Expr) -> Any:
-        """Return a part of the number as an element of the field of the numbers p + r√n."""
+        """Return a part of the number as an element of the field of all p + r√n."""
         if part == root:
             return field.unit
         if part.is_Add:
@@ -146,21 +146,24 @@ def _field(root: sp.Pow) -> Any:
     return sp.QQ.algebraic_field(root)
 
 
-def _is_number(expression: sp.Basic) -> bool:
-    """Return whether the expression is a rational function of only m, m′ and k. A sum made by `in_order` is not."""
+def _becomes_number(expression: sp.Basic) -> bool:
+    """Return whether the expression becomes one number when the numbers are inserted.
+
+    It is then a rational function of only m, m′ and k. A sum made by `in_order` keeps its terms.
+    """
     if expression.is_Symbol:
         return expression in GIVEN
     if isinstance(expression, InOrder):
         return False
     if isinstance(expression, sp.Add | sp.Mul | sp.Pow):
-        return all(map(_is_number, expression.args))
+        return all(map(_becomes_number, expression.args))
     return bool(expression.is_Rational)
 
 
 def is_unit_ratio(mass: float, roller_mass: float) -> bool:
     """Return whether m′ is the float nearest to m·ε*, or the product of m and the float nearest to ε*.
 
-    These two floats differ by at most two units in the last place. Also return True if m is m′/ε*, rounded.
+    These two floats differ by at most two units in the last place. Return True also if m is the rounded m′/ε*.
 
     Parameters
     ----------

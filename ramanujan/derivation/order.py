@@ -14,7 +14,7 @@ from typing import Any, NamedTuple
 import sympy as sp
 from sympy.core.function import AppliedUndef
 
-SUM = "a sum of masses in brackets"
+SUM = "a bracket of constants, such as a sum of masses"
 
 LETTERS = (
     *("omega", "Omega"),
@@ -87,7 +87,9 @@ def to_product(term: sp.Expr) -> Product:
             below += inner.below
             continue
         base, exponent = factor.as_base_exp()
-        if factor.is_number and not (factor.is_Pow and base.is_Integer and exponent.is_Integer):
+        # An unevaluated power of an integer, such as 12³, remains a factor.
+        is_unevaluated_power = factor.is_Pow and base.is_Integer and exponent.is_Integer
+        if factor.is_number and not is_unevaluated_power:
             number *= factor
         elif exponent.is_number and exponent.is_negative:
             below.append(base**-exponent)
@@ -175,12 +177,12 @@ def _term_key(term: sp.Expr) -> Key:
 
 
 def _factor_key(factor: sp.Expr) -> Key:
-    """Return the sort key of a factor; a bracket with a function of time comes after the constants."""
+    """Return the sort key of a factor. A bracket with anything but constants and ε comes after R."""
     base = factor.as_base_exp()[0]
     if base.is_Add:
         letters = {_name(symbol)[0] for symbol in _symbols(base)}
-        is_sum_of_masses = letters <= {*CONSTANTS, "varepsilon"}
-        rank_of_bracket = _LETTER_RANK[SUM] if is_sum_of_masses else _LETTER_RANK["R"] + 0.5
+        is_constant = letters <= {*CONSTANTS, "varepsilon"}
+        rank_of_bracket = _LETTER_RANK[SUM] if is_constant else _LETTER_RANK["R"] + 0.5
         return (rank_of_bracket, "", 0, "", 0)
     letter, subscript = _name(base)
     letter_rank = _LETTER_RANK.get(letter, len(LETTERS))

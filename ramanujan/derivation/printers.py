@@ -12,7 +12,7 @@ from typing import Any, NamedTuple
 
 import sympy as sp
 from sympy.physics.vector.printing import VectorLatexPrinter, VectorPrettyPrinter
-from sympy.printing.latex import translate
+from sympy.printing.latex import translate as translate_name
 
 from ramanujan.derivation import model
 from ramanujan.derivation.order import InOrder, Product, is_coefficient, is_motion, order_terms, to_product
@@ -46,7 +46,7 @@ _PLAIN = {
 }
 """The names of the coordinates, their rates and R in a program."""
 
-_EXACTLY = Context(prec=200)
+_EXACT_CONTEXT = Context(prec=200)
 
 Highlight = tuple[tuple[sp.Basic, str], ...]
 """Symbols, or functions of time, and their colours."""
@@ -73,17 +73,19 @@ class LatexPrinter(VectorLatexPrinter):
         return str(expr)
 
     def _print_Rational(self, expr: sp.Rational) -> str:
-        return self._product(Product(expr, (), ()))
+        return self._write_product(Product(expr, (), ()))
 
     def _print_Add(self, expr: sp.Add, order: str | None = None) -> str:
         if isinstance(expr, InOrder) or not expr.is_number:
             return join_terms([self._print(term) for term in order_terms(expr)])
-        return super()._print_Add(expr, order) if to_quadratic(expr) is None else self._product(Product(expr, (), ()))
+        if to_quadratic(expr) is None:
+            return super()._print_Add(expr, order)
+        return self._write_product(Product(expr, (), ()))
 
     def _print_Mul(self, expr: sp.Expr) -> str:
-        return self._product(to_product(expr))
+        return self._write_product(to_product(expr))
 
-    def _product(self, term: Product) -> str:
+    def _write_product(self, term: Product) -> str:
         """Return a product as a coefficient and the factors after it, such as ¾m and R²Φ̇²; either may be missing.
 
         Number and factors share one fraction if factors are below it, 2p/(3R), or if the only factor above is a sum,
@@ -91,7 +93,7 @@ class LatexPrinter(VectorLatexPrinter):
         """
         number = to_quadratic(term.number)
         if number is None:
-            return self._product_of_other_number(term)
+            return self._write_product_of_other_number(term)
         sign, numerator, denominator, is_sum = number_to_latex(number)
         coefficient, other_factors = _split_coefficient(term)
         is_one_sum = len(term.above) == 1 and term.above[0].is_Add and not other_factors
@@ -101,18 +103,18 @@ class LatexPrinter(VectorLatexPrinter):
         elif is_sum and (term.above or (sign < 0 and not term.below)):
             # The numerator p + r√n is a factor, or follows a minus sign.
             numerator = rf"\left({numerator}\right)"
-        below = self._side_by_side(denominator, term.below)
+        below = self._write_factors(denominator, term.below)
         if below:
-            above = self._side_by_side(numerator, coefficient)
+            above = self._write_factors(numerator, coefficient)
             numerator, coefficient = rf"\frac{{{above}}}{{{below}}}", ()
         minus = "- " if sign < 0 else ""
-        return minus + self._side_by_side(numerator, (*coefficient, *other_factors), is_term=bool(minus))
+        return minus + self._write_factors(numerator, (*coefficient, *other_factors), is_term=bool(minus))
 
-    def _product_of_other_number(self, term: Product) -> str:
+    def _write_product_of_other_number(self, term: Product) -> str:
         """Return a product in SymPy's own order, for a number with more than one root."""
         return super()._print_Mul(sp.Mul(term.number, *term.above, *(1 / factor for factor in term.below)))
 
-    def _side_by_side(self, number: str, factors: Sequence[sp.Expr], is_term: bool = False) -> str:
+    def _write_factors(self, number: str, factors: Sequence[sp.Expr], is_term: bool = False) -> str:
         """Return the factors after a number; omit the number if it is 1 or empty.
 
         Put a sum in brackets, unless it is the only factor and not a term of another sum.
@@ -138,7 +140,8 @@ class LatexPrinter(VectorLatexPrinter):
 
     def _print_Symbol(self, expr: sp.Symbol, style: str = "plain") -> str:
         letter, _, word = expr.name.partition("_")
-        is_word = len(word) > 2 and translate(word) == word
+        # SymPy translates the name of a Greek letter, such as alpha, but not a word.
+        is_word = len(word) > 2 and translate_name(word) == word
         if is_word and expr not in self._settings["symbol_names"]:
             return rf"{super()._print_Symbol(sp.Symbol(letter))}_{{\text{{{_SUBSCRIPTS.get(word, word)}}}}}"
         return super()._print_Symbol(expr, style)
@@ -340,7 +343,7 @@ def truncate(number: QuadraticNumber) -> str:
     >>> truncate(QuadraticNumber(2, 3))
     '0.66666666\\ldots'
     """
-    return _decimal(number, ROUND_DOWN, DIGITS, r"\ldots")[0]
+    return _write_decimal(number, ROUND_DOWN, DIGITS, r"\ldots")[0]
 
 
 def round_number(number: QuadraticNumber, digits: int = DIGITS) -> str:
@@ -349,7 +352,7 @@ def round_number(number: QuadraticNumber, digits: int = DIGITS) -> str:
     >>> round_number(QuadraticNumber(-2, 3), 4)
     '-0.6667'
     """
-    return _decimal(number, ROUND_HALF_EVEN, digits)[0]
+    return _write_decimal(number, ROUND_HALF_EVEN, digits)[0]
 
 
 def format_decimal(number: QuadraticNumber, digits: int = DIGITS) -> str:
@@ -358,11 +361,11 @@ def format_decimal(number: QuadraticNumber, digits: int = DIGITS) -> str:
     >>> format_decimal(QuadraticNumber(196, 25)), format_decimal(QuadraticNumber(-2, 3), 4)
     ('= 7.84', '\\approx -0.6667')
     """
-    text, is_exact = _decimal(number, ROUND_HALF_EVEN, digits)
+    text, is_exact = _write_decimal(number, ROUND_HALF_EVEN, digits)
     return f"= {text}" if is_exact else rf"\approx {text}"
 
 
-def _decimal(number: QuadraticNumber, rounding: str, digits: int, ellipsis: str = "") -> tuple[str, bool]:
+def _write_decimal(number: QuadraticNumber, rounding: str, digits: int, ellipsis: str = "") -> tuple[str, bool]:
     """Return a decimal as LaTeX, and whether it is exact.
 
     Parameters
@@ -375,7 +378,7 @@ def _decimal(number: QuadraticNumber, rounding: str, digits: int, ellipsis: str 
     quotient = Context(prec=digits, rounding=rounding).divide(value, number.q)
     if not quotient:
         return "0", True
-    is_exact = not number.r and _EXACTLY.multiply(quotient, number.q) == value
+    is_exact = not number.r and _EXACT_CONTEXT.multiply(quotient, number.q) == value
     exponent = quotient.adjusted()
     has_power = not -5 <= exponent < digits
     text = f"{quotient.scaleb(-exponent) if has_power else quotient:f}"

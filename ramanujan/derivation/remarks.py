@@ -52,16 +52,16 @@ def list_remarks() -> tuple[Remark, ...]:
     """Return the remarks in the order of the paper."""
     general, spectrum = eliminate(machine()), find_modes(machine())
     return (
-        _taxicab(),
-        _rounding(eliminate(machine(roller_mass=m))),
-        _coefficients(general),
-        _proportionality(general, spectrum),
-        _sign(spectrum),
-        _one_mode(general, spectrum),
+        _taxicab_remark(),
+        _rounding_remark(eliminate(machine(roller_mass=m))),
+        _coefficient_remark(general),
+        _proportionality_remark(general, spectrum),
+        _sign_remark(spectrum),
+        _one_mode_remark(general, spectrum),
     )
 
 
-def _taxicab() -> Remark:
+def _taxicab_remark() -> Remark:
     taxicab, _ways = _smallest_in_two_ways(allows_negative=False)
     n, ways = _smallest_in_two_ways(allows_negative=True)
     sides = [str(n)]
@@ -79,7 +79,7 @@ def _taxicab() -> Remark:
     )
 
 
-def _rounding(equal_masses: Elimination) -> Remark:
+def _rounding_remark(equal_masses: Elimination) -> Remark:
     ratio = equal_masses.natural_frequency_squared * m / k
     printed, digits = sp.Rational("1.0506"), 4
     rounded = sp.floor(ratio * 10**digits + sp.Rational(1, 2)) / sp.Integer(10**digits)
@@ -92,9 +92,9 @@ def _rounding(equal_masses: Elimination) -> Remark:
     )
 
 
-def _coefficients(result: Elimination) -> Remark:
+def _coefficient_remark(result: Elimination) -> Remark:
     c_1, c_2 = _coupling_constants(result)
-    printed = result.Phi_from_phi / phi_ddot
+    printed = result.Phi_ddot_from_phi_ddot / phi_ddot
     left = sp.Symbol("c_1") / sp.Symbol("c_2")
     return Remark(
         where=_("Section 3, the constants $c_1$ and $c_2$"),
@@ -109,7 +109,7 @@ def _coefficients(result: Elimination) -> Remark:
     )
 
 
-def _proportionality(result: Elimination, spectrum: Modes) -> Remark:
+def _proportionality_remark(result: Elimination, spectrum: Modes) -> Remark:
     c_1, c_2 = _coupling_constants(result)
     X_0, V, Phi_0, W = sp.symbols("X_0 V Phi_0 W")
     oscillation = _oscillation(spectrum)
@@ -127,7 +127,7 @@ def _proportionality(result: Elimination, spectrum: Modes) -> Remark:
     )
 
 
-def _sign(spectrum: Modes) -> Remark:
+def _sign_remark(spectrum: Modes) -> Remark:
     Omega2 = spectrum.natural_frequency_squared
     mode = tuple(share * _oscillation(spectrum) for share in spectrum.mode_shape)
     has_minus_sign = all(sp.expand(q.diff(t, 2) + Omega2 * q) == 0 for q in mode)
@@ -144,7 +144,7 @@ def _sign(spectrum: Modes) -> Remark:
     )
 
 
-def _one_mode(result: Elimination, spectrum: Modes) -> Remark:
+def _one_mode_remark(result: Elimination, spectrum: Modes) -> Remark:
     eigenvalues = sp.Tuple(*list_eigenvalues(spectrum))
     names = sp.Tuple(*(omega**2 for omega in sp.symbols("omega_1:4")))
     shown = eigenvalues.xreplace({result.natural_frequency_squared: Omega_squared})
@@ -162,7 +162,8 @@ def _one_mode(result: Elimination, spectrum: Modes) -> Remark:
 
 def _coupling_constants(result: Elimination) -> tuple[sp.Expr, sp.Expr]:
     """Return the paper's c₁ = Ẍ/φ̈ and c₂ = Ẍ/Φ̈."""
-    return result.X_from_phi / phi_ddot, sp.solve(Phi_ddot - result.Phi_from_X, X_ddot)[0] / Phi_ddot
+    (X_ddot_from_Phi_ddot,) = sp.solve(Phi_ddot - result.Phi_ddot_from_X_ddot, X_ddot)
+    return result.X_ddot_from_phi_ddot / phi_ddot, X_ddot_from_Phi_ddot / Phi_ddot
 
 
 def _oscillation(spectrum: Modes) -> sp.Expr:

@@ -63,8 +63,8 @@ class Row:
     ----------
     left : its left side
     terms : the terms of its right side, each with its sign
-    value : decimal and unit after a right side that is a number, or ""
-    operation : the operation that leads to the equation, for the margin, or ""
+    value : decimal and unit after a right side that is a number; otherwise ""
+    operation : the operation that leads to the equation, for the margin; or ""
     """
 
     left: str
@@ -118,7 +118,7 @@ def make_rows(step: Step, numbers: Numbers | None = None, make: Callable[..., Ro
     Parameters
     ----------
     step : one step of a route, in symbols
-    numbers : of the machine; none for the symbols
+    numbers : the machine's numbers; None for a result in symbols
     make : function (equation, label, commands) → row; `make_row` by default
 
     >>> from ramanujan.derivation import ROUTES
@@ -137,7 +137,7 @@ def make_rows(step: Step, numbers: Numbers | None = None, make: Callable[..., Ro
         new_row = (
             make(equation, label, commands) if make else make_row(equation, numbers, label=label, commands=commands)
         )
-        # An operation that leads to several equations is shown beside the first one.
+        # An operation that leads to several equations is shown beside the first of them.
         shown_operation = "" if operation == previous_operation else operation
         distinct.setdefault(new_row, replace(new_row, operation=shown_operation))
         previous_operation = operation
@@ -162,7 +162,7 @@ def make_row(
     Parameters
     ----------
     equation : in symbols
-    numbers : of the machine; none for the symbols
+    numbers : the machine's numbers; None for a result in symbols
     highlight : symbols in a colour
     label : LaTeX before the equation
     commands : LaTeX commands for some terms
@@ -206,7 +206,7 @@ def _apply_commands(term: str, commands: Sequence[str]) -> str:
 def _format_value(equation: sp.Eq, numbers: Numbers) -> str:
     """Return the decimal of a numeric right side, and the unit of the quantity on the left.
 
-    The mass ratio is a setting, so its decimal is omitted.
+    An equation for ε has no decimal, because the reader has set this number.
     """
     value = numbers.insert_into(equation.rhs)
     is_computed = equation.rhs.free_symbols and isinstance(value, sp.Expr) and not isinstance(value, InOrder)
@@ -230,7 +230,7 @@ def align(rows: Sequence[Row], width: int, gap: str = ".5em", room: float = math
     rows : the rows
     width : characters of a right side that fit into a line
     gap : space between equations
-    room : an operation is beside an equation of at most so many characters, otherwise below it
+    room : the most characters of an equation with its operation beside it; for a longer one the operation is below
     """
     left_width = measure_left_sides(rows)
     if any(row.right == "0" for row in rows):
@@ -251,7 +251,7 @@ def align_for_phone(rows: Sequence[Row]) -> str:
 
 def measure_left_sides(rows: Iterable[Row]) -> int:
     """Return the approximate number of characters of the longest left side."""
-    return max((measure_width(make_row.left) for make_row in rows), default=0)
+    return max((measure_width(row.left) for row in rows), default=0)
 
 
 def _format_in_one_line(row: Row, room: float) -> str:

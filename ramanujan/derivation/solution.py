@@ -26,9 +26,9 @@ def mode_shape(bodies: Machine | None = None) -> dict[sp.Expr, sp.Expr]:
     """
     result = eliminate(bodies or machine())
     return {
-        X: sp.factor(result.X_from_phi / phi.diff(t, 2)),
+        X: sp.factor(result.X_ddot_from_phi_ddot / phi.diff(t, 2)),
         phi: sp.S.One,
-        Phi: sp.factor(result.Phi_from_phi / phi.diff(t, 2)),
+        Phi: sp.factor(result.Phi_ddot_from_phi_ddot / phi.diff(t, 2)),
     }
 
 

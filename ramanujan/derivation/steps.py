@@ -27,7 +27,7 @@ class Step:
     heading : the action of the step, in a few words
     reason : why the step is allowed, in one sentence or a few, Markdown with $…$
     equations : relations that hold for every machine, or state a condition on ε
-    special : function (numbers of a machine) → variant of the step in symbols, for equations that state a condition.
+    variant : function (numbers of a machine) → variant of the step in symbols, for equations that state a condition.
         None if the numbers can be inserted into the equations.
     labels : LaTeX before each equation, such as the coordinate to which it belongs; or none
     operations : LaTeX in the margin of each equation, for the operation that leads to it; or none
@@ -39,14 +39,14 @@ class Step:
     heading: str
     reason: str
     equations: tuple[sp.Eq, ...]
-    special: Callable[[Numbers], "Step"] | None = None
+    variant: Callable[[Numbers], "Step"] | None = None
     labels: tuple[str, ...] = ()
     operations: tuple[str, ...] = ()
     marks: tuple[str, ...] = ()
 
     def for_numbers(self, numbers: Numbers | None) -> "Step":
         """Return the variant of the step for the numbers of a machine, still in symbols; without numbers, the step."""
-        return self.special(numbers) if numbers and self.special else self
+        return self.variant(numbers) if numbers and self.variant else self
 
     def _repr_markdown_(self) -> str:
         """Return the step as Markdown for a notebook."""

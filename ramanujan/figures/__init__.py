@@ -103,17 +103,17 @@ class EncodedFigure(BaseFigure):
         return f"EncodedFigure({len(self._sent['data'])} traces)"
 
 
-def legend(height: float = 1.02, orientation: str = "h") -> dict[str, Any]:
+def legend(bottom: float = 1.02, orientation: str = "h") -> dict[str, Any]:
     """Return the layout of a legend above the panels.
 
     Parameters
     ----------
-    height : its lower edge, in fractions of the plotting area
-    orientation : "h" for rows; "v" for a column of long names, which cannot overlap in a wider window
+    bottom : its lower edge, in fractions of the plotting area
+    orientation : "h" for rows; "v" for a column. Long names in rows could overlap when the window becomes wider.
     """
     return {
         "showlegend": True,
-        "legend": {"orientation": orientation, "x": 0, "y": height, "yanchor": "bottom", "tracegroupgap": 0},
+        "legend": {"orientation": orientation, "x": 0, "y": bottom, "yanchor": "bottom", "tracegroupgap": 0},
     }
 
 
@@ -149,15 +149,18 @@ def horizontal_bars(
     return bars | {"text": list(words), "textposition": "outside", "constraintext": "none", "cliponaxis": False}
 
 
-_LEAST = 400
+_LEAST_HEIGHT = 400
 """The smallest height of a figure [px]; on a slide it grows with the free space."""
-_LINE = 16
+_TITLE_LENGTH = 16
 """The number of letters of an axis title that fit beside one of two panels."""
 _MARGIN_ABOVE, _MARGIN_WITH_WORDS = 24, 54
-"""The margin above the panels [px], without and with a line of words. Plotly omits the last number without a margin."""
-_ROW = 4
+"""The margin above the panels [px], without and with a line of words.
+
+Without a margin Plotly omits the uppermost tick label.
+"""
+_NAMES_IN_ROW = 4
 """The largest number of names in a row above a figure. On a slide, a longer legend is a column beside the figure."""
-_LETTERS = 26
+_LETTER_SIZE = 26
 """The size of letters for Plotly's layout [px]; type.css does not change it, and projector.css sets 20 to 39 px."""
 
 
@@ -171,26 +174,26 @@ def in_large_print(figure: BaseFigure) -> EncodedFigure:
     (400, 'displacement relative<br>to the block')
     """
     sent = figure.to_dict()
-    layout = {**sent["layout"], "height": min(_LEAST, sent["layout"].get("height", _LEAST))}
+    layout = {**sent["layout"], "height": min(_LEAST_HEIGHT, sent["layout"].get("height", _LEAST_HEIGHT))}
     axes = [name for name in layout if name.startswith(("xaxis", "yaxis"))]
     for name in axes:
-        layout[name] = _roomy_axis(layout[name], is_vertical=name.startswith("yaxis"))
+        layout[name] = _enlarge_axis(layout[name], is_vertical=name.startswith("yaxis"))
     # Plotly caches the width of a text by its size. A new size forces a new measurement after a switch to a projector.
-    notes = [{**note, "font": {**note.get("font", {}), "size": _LETTERS}} for note in layout.get("annotations", ())]
+    notes = [{**note, "font": {**note.get("font", {}), "size": _LETTER_SIZE}} for note in layout.get("annotations", ())]
     has_note_above = any(note.get("yref") == "paper" and note["y"] == 1 for note in notes)
     legend_names = {trace["name"] for trace in sent["data"] if trace.get("name") and trace.get("showlegend", True)}
     if "legend" in layout:
-        is_column = len(legend_names) > _ROW or layout["legend"].get("orientation") == "v"
+        is_column = len(legend_names) > _NAMES_IN_ROW or layout["legend"].get("orientation") == "v"
         place = {"orientation": "v", "tracegroupgap": 0, "maxheight": 1000} if is_column else layout["legend"]
-        layout["legend"] = {**place, "font": {"size": _LETTERS}}
+        layout["legend"] = {**place, "font": {"size": _LETTER_SIZE}}
     margin_above = _MARGIN_WITH_WORDS if has_note_above else _MARGIN_ABOVE
     layout |= {"annotations": notes, "margin": {**layout.get("margin", {}), "t": margin_above}}
     return EncodedFigure({**sent, "layout": layout})
 
 
-def _roomy_axis(axis: dict[str, Any], is_vertical: bool) -> dict[str, Any]:
+def _enlarge_axis(axis: dict[str, Any], is_vertical: bool) -> dict[str, Any]:
     # The standoff separates the first labels of both axes.
-    axis = {**axis, "ticklabelstandoff": 6, "tickfont": {"size": _LETTERS}}
+    axis = {**axis, "ticklabelstandoff": 6, "tickfont": {"size": _LETTER_SIZE}}
     text = axis.get("title", {}).get("text", "")
     if not text:
         return axis
@@ -202,16 +205,16 @@ def _roomy_axis(axis: dict[str, Any], is_vertical: bool) -> dict[str, Any]:
         standoff += 18
     if "<br>" in title:
         standoff += 28
-    axis["title"] = {**axis["title"], "text": title, "standoff": standoff, "font": {"size": _LETTERS}}
+    axis["title"] = {**axis["title"], "text": title, "standoff": standoff, "font": {"size": _LETTER_SIZE}}
     return axis
 
 
 def _break_title(text: str) -> str:
     """Break a long title once, at the space nearest to its middle."""
-    if len(text) <= _LINE or "<br>" in text:
+    if len(text) <= _TITLE_LENGTH or "<br>" in text:
         return text
-    spaces = [at for at, letter in enumerate(text) if letter == " "]
-    middle = min(spaces, key=lambda at: abs(at - len(text) / 2), default=None)
+    spaces = [index for index, letter in enumerate(text) if letter == " "]
+    middle = min(spaces, key=lambda index: abs(index - len(text) / 2), default=None)
     return text if middle is None else f"{text[:middle]}<br>{text[middle + 1 :]}"
 
 

@@ -57,25 +57,27 @@ def axis_with_room(title: str, curves: Sequence[np.ndarray], most: float) -> tup
     exponents = [values for values in exponents if values.size] or [np.array([-1.0, 0.0])]
     least = min(map(np.min, exponents))
     high = min(most, max(map(np.max, exponents)))
-    low = _find_compressed_end(exponents, least)
+    threshold = _find_compressed_end(exponents, least)
 
     def place(values: np.ndarray) -> np.ndarray:
         exponent = logarithm(values)
-        return np.where(exponent < low, low + (exponent - low) / _COMPRESSION, exponent).astype(np.float32)
+        compressed = threshold + (exponent - threshold) / _COMPRESSION
+        return np.where(exponent < threshold, compressed, exponent).astype(np.float32)
 
-    bottom = min(low, float(place(np.array([10.0**least]))[0]))
-    step = max(1, round((high - low) / 3))
+    bottom = min(threshold, float(place(np.array([10.0**least]))[0]))
+    step = max(1, round((high - threshold) / 3))
     # One tick in the compressed part, if it has more than three decades. It replaces the tick at the end of this part.
-    lowest_tick = [int(least)] if least < low - 3 else []
-    first_tick = int(low) + step if lowest_tick else int(low)
+    lowest_tick = [int(least)] if least < threshold - 3 else []
+    first_tick = int(threshold) + step if lowest_tick else int(threshold)
     other_ticks = [*range(first_tick, int(np.ceil(high)) + 1, step)]
     ticks = {
-        "tickvals": [low + (exponent - low) / _COMPRESSION for exponent in lowest_tick] + other_ticks,
+        "tickvals": [threshold + (exponent - threshold) / _COMPRESSION for exponent in lowest_tick] + other_ticks,
         "ticktext": _powers(lowest_tick + other_ticks),
     }
     # An axis with few decades has a tick at its end, too. The font size is that of Plotly's logarithmic axes.
     top = high + 0.2 if step > 1 else np.ceil(high) + 0.05
-    return axis(title, (bottom - 0.2 if bottom < low else low, top), tickfont={"size": 15}, **ticks), place, low
+    lower_end = bottom - 0.2 if bottom < threshold else threshold
+    return axis(title, (lower_end, top), tickfont={"size": 15}, **ticks), place, threshold
 
 
 def _find_compressed_end(exponents: Sequence[np.ndarray], least: float) -> float:

@@ -12,10 +12,11 @@ from ramanujan.translation import _
 
 _HEIGHT = 420
 """The total height of the panels and the gaps between them [px]."""
-
 _GAP = 0.12
+"""The gap between two panels, in fractions of the plotting area."""
 _BELOW = 48
 _ABOVE = 28
+"""The margins below and above the plotting area [px]."""
 _PERIOD_HEIGHT = 0.1
 """The height of the words above the panels, in fractions of the plotting area. The legend lies above them."""
 
@@ -114,7 +115,7 @@ def draw_phase_plane(
     ----------
     orbits : each with the displacements [cm] at n equal steps of time
     velocities : of the same coordinates at the same times [cm/s]
-    period, periods : the steps divide this time [s], for the cursor
+    period, periods : the period [s], and the number of periods that the steps divide; for the cursor
     colors : ink, faint and paper
     """
     traces = [
@@ -126,8 +127,8 @@ def draw_phase_plane(
     return _lay_out(
         traces,
         colors,
-        xaxis=_axis(_("displacement [cm]"), roomy([orbit.values for orbit in orbits]), **centred),
-        yaxis=_axis(_("velocity [cm/s]"), roomy(velocities), **centred),
+        xaxis=_axis(_("displacement [cm]"), widen_range([orbit.values for orbit in orbits]), **centred),
+        yaxis=_axis(_("velocity [cm/s]"), widen_range(velocities), **centred),
         hovermode="closest",
         meta={"cursor": "orbit", "period": period, "periods": periods},
         **legend(),
@@ -165,7 +166,7 @@ def draw_friction_bars(
     )
 
 
-def roomy(arrays: Sequence[np.ndarray]) -> tuple[float, float]:
+def widen_range(arrays: Sequence[np.ndarray]) -> tuple[float, float]:
     """Return the range of all arrays, widened by a seventh on both sides."""
     least, most = min(map(np.min, arrays)), max(map(np.max, arrays))
     margin = (most - least) / 7 or 1.0

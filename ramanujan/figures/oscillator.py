@@ -58,25 +58,25 @@ def draw_frequency_curve(curve: FrequencyCurve, colors: Mapping[str, str]) -> En
     curve : the curve and its limits, which are drawn only near the curve
     colors : ink, faint, paper, primary, hoop_ink, top
     """
-    ends = curve.ratios[[0, -1]].astype(np.float32).tolist()
+    ratio_range = curve.ratios[[0, -1]].astype(np.float32).tolist()
     highest = 1.16 * curve.light_limit
     hover = f"<i>ε</i> = %{{x:.5g}}<br>{NORMALIZED} = %{{y:.5g}}<extra>%{{fullData.name}}</extra>"
     box = {"mirror": True, "showgrid": False, "fixedrange": True}
     return draw_over_ratios(
-        [*_curves(curve, ends, colors), *_marked_machines(curve, colors)],
+        [*_curves(curve, ratio_range, colors), *_marked_machines(curve, colors)],
         highest,
         hover,
         colors,
-        {"type": "log", "range": np.log10(ends).tolist(), "dtick": 1},
+        {"type": "log", "range": np.log10(ratio_range).tolist(), "dtick": 1},
         meta={"ring": colors["primary"]},
-        shapes=_inset_shapes(ends, highest, curve.unit.value, colors),
-        annotations=_curve_labels(curve, ends, colors),
+        shapes=_inset_shapes(ratio_range, highest, curve.unit.value, colors),
+        annotations=_curve_labels(curve, ratio_range, colors),
         xaxis2=box | {"range": list(_INSET_RATIOS), "domain": list(_INSET_ACROSS), "anchor": "y2", "dtick": 0.2},
         yaxis2=box | {"range": list(_INSET_VALUES), "domain": list(_INSET_UP), "anchor": "x2", "tickvals": []},
     )
 
 
-def _curves(curve: FrequencyCurve, ends: list[float], colors: Mapping[str, str]) -> list[dict[str, Any]]:
+def _curves(curve: FrequencyCurve, ratio_range: list[float], colors: Mapping[str, str]) -> list[dict[str, Any]]:
     """Return the traces of the two limits, of the curve, and of the curve in the inset."""
     # Single precision is a thousand times finer than a pixel, with half the bytes.
     ratios, values = curve.ratios.astype(np.float32), curve.values.astype(np.float32)
@@ -89,7 +89,7 @@ def _curves(curve: FrequencyCurve, ends: list[float], colors: Mapping[str, str])
     no_hover = {"name": _("limit"), "hoverinfo": "skip"}
     look = {"color": colors["primary"], "width": 3, "shape": "spline"}
     return [
-        line(ends, [curve.light_limit] * 2, **limit) | no_hover,
+        line(ratio_range, [curve.light_limit] * 2, **limit) | no_hover,
         line(ratios[is_near_curve], heavy_limit[is_near_curve], **limit) | no_hover,
         line(ratios, values, **look) | {"name": _("any machine")},
         line(ratios[is_in_inset], values[is_in_inset], **look) | {"name": _("any machine")} | _IN_INSET,
@@ -108,7 +108,7 @@ def _marked_machines(curve: FrequencyCurve, colors: Mapping[str, str]) -> list[d
     return traces
 
 
-def _curve_labels(curve: FrequencyCurve, ends: list[float], colors: Mapping[str, str]) -> list[dict[str, Any]]:
+def _curve_labels(curve: FrequencyCurve, ratio_range: list[float], colors: Mapping[str, str]) -> list[dict[str, Any]]:
     """Return the labels of the limits, and of the line and the machines in the inset."""
     ratios, heavy_limit = curve.ratios.astype(np.float32), curve.heavy_limit.astype(np.float32)
     # At this point the space to the right of the asymptote, above the line “in step”, is empty.
@@ -121,7 +121,7 @@ def _curve_labels(curve: FrequencyCurve, ends: list[float], colors: Mapping[str,
     at_end = {"xanchor": "right", "xshift": -6}
     # On the panel's logarithmic axis the coordinate of a text is a logarithm; the axes of the inset are linear.
     return [
-        note(light, None, np.log10(ends[0]), curve.light_limit) | beside,
+        note(light, None, np.log10(ratio_range[0]), curve.light_limit) | beside,
         note(heavy, None, np.log10(ratios[free_index]), heavy_limit[free_index]) | beside,
         note(_("in step"), colors["primary"], most, curve.unit.value) | in_inset | at_end,
         note(curve.equal.label, None, curve.equal.ratio, curve.equal.value) | in_inset | {"xshift": 8, "yshift": 3},
@@ -136,18 +136,21 @@ def limit_labels(curve: FrequencyCurve) -> tuple[str, str]:
     return light, heavy
 
 
-def _inset_shapes(ends: list[float], highest: float, unit: float, colors: Mapping[str, str]) -> list[dict[str, Any]]:
+def _inset_shapes(
+    ratio_range: list[float], highest: float, unit: float, colors: Mapping[str, str]
+) -> list[dict[str, Any]]:
     """Return the lines “in step” of panel and inset, the background of the inset, and the frame of its region."""
     least, most = _INSET_RATIOS
     low, high = _INSET_VALUES
-    _left, right = _INSET_ACROSS
-    bottom, top = _INSET_UP
+    _left, inset_right = _INSET_ACROSS
+    inset_bottom, inset_top = _INSET_UP
     dashed = {"color": colors["primary"], "width": 1.5, "dash": "dash"}
     in_step = {"type": "line", "line": dashed, "layer": "below", "x0": 0, "x1": 1, "y0": unit, "y1": unit}
     domains = {"xref": "x domain", "yref": "y domain"}
     thin = {"line": {"color": colors["ink"], "width": 1}, "opacity": 0.5} | domains
-    # The corners of the region as fractions of the panel, like those of the inset.
-    start, end = (np.log([least, most]) - np.log(ends[0])) / (np.log(ends[1]) - np.log(ends[0]))
+    # The region of the inset's ranges, in fractions of the panel.
+    log_least, log_most = np.log(ratio_range)
+    region_left, region_right = (np.log([least, most]) - log_least) / (log_most - log_least)
     region_bottom, region_top = low / highest, high / highest
     ground = {"type": "rect", "fillcolor": colors["paper"], "line": {"width": 0}, "layer": "below", "x0": 0, "x1": 1}
     return [
@@ -155,10 +158,10 @@ def _inset_shapes(ends: list[float], highest: float, unit: float, colors: Mappin
         # The background extends below the inset, behind its tick labels.
         ground | {"y0": -0.25, "y1": 1, "xref": "x2 domain", "yref": "y2 domain"},
         in_step | {"xref": "x2 domain", "yref": "y2"},
-        thin | {"type": "rect", "x0": start, "x1": end, "y0": region_bottom, "y1": region_top},
+        thin | {"type": "rect", "x0": region_left, "x1": region_right, "y0": region_bottom, "y1": region_top},
         # Two lines join the inset and its region.
-        thin | {"type": "line", "x0": right, "x1": start, "y0": bottom, "y1": region_bottom},
-        thin | {"type": "line", "x0": right, "x1": start, "y0": top, "y1": region_top},
+        thin | {"type": "line", "x0": inset_right, "x1": region_left, "y0": inset_bottom, "y1": region_bottom},
+        thin | {"type": "line", "x0": inset_right, "x1": region_left, "y0": inset_top, "y1": region_top},
     ]
 
 
@@ -184,9 +187,17 @@ def draw_over_ratios(
     return build_figure(traces, colors, 384, hover, xaxis=across, yaxis=upward, **more)
 
 
-def arrow_label(mark: Mark, offset: tuple[float, float], side: str, colors: Mapping[str, str]) -> dict[str, Any]:
-    """Return the label of a mark, with an arrow to the mark; `offset` is that of the label, right and down [px]."""
+def arrow_label(mark: Mark, offset: tuple[float, float], anchor: str, colors: Mapping[str, str]) -> dict[str, Any]:
+    """Return the label of a mark, with an arrow to the mark.
+
+    Parameters
+    ----------
+    mark : the mark
+    offset : of the anchor from the mark, right and down [px]
+    anchor : "left" or "right", the edge of the label at which the arrow begins
+    colors : ink
+    """
     right, down = offset
-    words = {"text": mark.label, "xanchor": side, "align": "left"}
+    words = {"text": mark.label, "xanchor": anchor, "align": "left"}
     arrow = {"ax": right, "ay": down, "arrowcolor": colors["ink"], "arrowwidth": 1, "arrowhead": 0, "standoff": 8}
     return {"x": mark.ratio, "y": mark.value, **words, **arrow}

@@ -19,9 +19,9 @@ _LOWER: dict[str, Any] = {"domain": [0.0, 0.43], "anchor": "x"}
 """The axes of two panels below each other."""
 _ENERGY_MOST, _PHASE_MOST = 0.5, 2
 """The largest exponents of ten on the axes. A curve with larger errors leaves the figure at the top."""
-_HIGH = 560
+_HEIGHT = 560
 """The height of two panels and the gap between them [px]."""
-_STRIP, _HALF_STRIP = 62, 0.24
+_STRIP_HEIGHT, _HALF_STRIP = 62, 0.24
 """The height of a form's strip with the name above it [px], and half the strip's fraction of that height."""
 _MARGIN = {"l": 60, "r": 28, "t": 12, "b": 48}
 
@@ -66,6 +66,8 @@ def draw_error_growth(
 ) -> EncodedFigure:
     """Draw the energy error above, the phase error below, against the number of periods; all axes logarithmic.
 
+    A gray band marks the compressed part of an axis.
+
     Parameters
     ----------
     curves : name of each method → numbers of periods, |energy error| and |phase error| [rad]
@@ -97,7 +99,7 @@ def draw_error_growth(
             lines.append(_Line(name, *looks[name], periods, errors, width, opacity))
         if is_phase:
             lines.append(closed)
-        drawn_axis, scale, low = logarithmic.axis_with_room(title, [curve.errors for curve in lines], most)
+        drawn_axis, scale, compressed_below = logarithmic.axis_with_room(title, [curve.errors for curve in lines], most)
         for curve in lines:
             properties = {
                 "name": curve.name,
@@ -113,9 +115,9 @@ def draw_error_growth(
             trace = line(curve.periods, scale(curve.errors), color=curve.color, width=curve.width, dash=curve.dash)
             traces.append(trace | properties)
         low_end, _high_end = drawn_axis["range"]
-        shapes.append(_gray_band(low_end, low, colors) | {"yref": name_of_axis})
+        shapes.append(_gray_band(low_end, compressed_below, colors) | {"yref": name_of_axis})
         axes[f"yaxis{name_of_axis[1:]}"] = drawn_axis | place
-    return build_figure(traces, colors, _HIGH + 64, margin=_MARGIN, shapes=shapes, **legend(), **axes)
+    return build_figure(traces, colors, _HEIGHT + 64, margin=_MARGIN, shapes=shapes, **legend(), **axes)
 
 
 def _gray_band(low: float, high: float, colors: Colors) -> dict[str, Any]:
@@ -261,7 +263,7 @@ def draw_forms(strips: Mapping[str, Sequence[Part]], *, quantity: str, colors: C
     # The first strip is at the top. The margins, in strips, leave room for its name and below the last strip.
     hidden = {"visible": False, "range": [len(strips) - 0.65, -0.8], "fixedrange": True}
     x_axis = logarithmic.power_axis(quantity, start, end) | {"showgrid": False}
-    height = 76 + _STRIP * len(strips)
+    height = 76 + _STRIP_HEIGHT * len(strips)
     return build_figure(
         [bars], colors, height, margin=_MARGIN | {"l": 28}, xaxis=x_axis, yaxis=hidden, annotations=notes
     )

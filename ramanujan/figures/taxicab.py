@@ -30,7 +30,7 @@ def draw_level_crossing(
     ----------
     ratios, values : ε and Ω²m/k along the curve, dimensionless, shape (n,)
     level, level_label : the target w and its label
-    root, root_label : the mass ratio with Ω²m/k = w and its label
+    root, root_label : the mass ratio with Ω²m/k = w, and its label
     present : ε and Ω²m/k of the present machine
     colors : ink, faint, paper, primary, top
     """
@@ -48,14 +48,14 @@ def draw_level_crossing(
     # The label avoids the falling curve: above its flat start, below its steep part, or above its flat end.
     at_start = root < left + 0.4 * (right - left)
     if at_start:
-        offset, side = (22, -50), "left"
+        offset, anchor = (22, -50), "left"
         level_end, beside = right, {"xanchor": "right", "xshift": -6}
     else:
         is_at_flat_end = level < 0.35 * values[0]
-        offset, side = (-22, -50 if is_at_flat_end else 40), "right"
+        offset, anchor = (-22, -50 if is_at_flat_end else 40), "right"
         level_end, beside = left, {"xanchor": "left", "xshift": 6}
     notes = [
-        arrow_label(Mark(root, level, root_label), offset, side, colors),
+        arrow_label(Mark(root, level, root_label), offset, anchor, colors),
         note(level_label, None, level_end, level) | beside | {"yanchor": "bottom", "yshift": 3},
     ]
     return draw_over_ratios(traces, 1.3 * float(values[0]), hover, colors, {"range": (left, right)}, annotations=notes)
@@ -134,7 +134,7 @@ def draw_cube_counts(
 
     Parameters
     ----------
-    pairs, counts : the pairs of lower rollers and their numbers
+    pairs, counts : the pairs of lower rollers, and the number of sums of two cubes for each pair
     highlighted : the index of the paper's pair
     colors : ink, faint, paper, primary, block
     """

@@ -2,8 +2,7 @@
 
 from functools import cache
 
-from ramanujan.accuracy.work_precision import WorkPrecision, work_precision
-from ramanujan.accuracy.work_precision import cheapest as cheapest_runs
+from ramanujan.accuracy.work_precision import WorkPrecision, find_cheapest_runs, work_precision
 from ramanujan.answers import judge as judge_formula
 from ramanujan.energy import energies
 from ramanujan.integrators import METHODS
@@ -92,7 +91,7 @@ def judge_cheapest(attempt: Attempt) -> TaskVerdict:
         _("It stays within {error:2↑} of a turn. No method here needs fewer than {cost} evaluations of the force."),
         _("It stays within {error:2↑} of a turn. But {cost} evaluations are {times:3} times as many as necessary."),
     )
-    best, *_others = cheapest_runs(run_all_integrators(), WITHIN)
+    best, *_others = find_cheapest_runs(run_all_integrators(), WITHIN)
     fewest = best.evaluations
     return compare_with_goal(cost - fewest, 0, sentences, error=error, cost=cost, times=cost / fewest)
 

@@ -43,10 +43,10 @@ def find_foreign_letter(text: str) -> str:
     return next((letter for letter in code if letter not in ALPHABET), "")
 
 
-def group_code(code: str) -> str:
+def format_code(code: str) -> str:
     """Return a code in two groups, which are easy to read aloud.
 
-    >>> group_code("BCDFHJ")
+    >>> format_code("BCDFHJ")
     'BCD FHJ'
     """
     half = len(code) // 2

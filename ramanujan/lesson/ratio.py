@@ -290,7 +290,7 @@ STOPS = (
             "second": unbroken("{}³ + {}³".format(*_SUMS[1])),
             "pairs": _SUMS,
             "terms": [x**3 for x in _SUMS[1]],
-            "norm": number_theory.norm_form(),
+            "norm": number_theory.norm_coordinates(),
             "square": B * B,
             "product": -4 * A * C,
         },

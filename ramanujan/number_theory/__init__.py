@@ -11,7 +11,7 @@ from ramanujan.number_theory.bodies import (
     BODIES,
     BodyChoice,
     machines,
-    norm_form,
+    norm_coordinates,
     normalized_frequency_squared_exact,
     one_change_away,
     unit_quadratic,

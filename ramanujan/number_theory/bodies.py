@@ -171,7 +171,7 @@ class BodyChoice:
         return tuple(integers.sums_of_two_cubes(self.discriminant))
 
 
-def norm_form(target: int | Fraction = 1) -> tuple[int, int]:
+def norm_coordinates(target: int | Fraction = 1) -> tuple[int, int]:
     """Return integers x and y such that x² + 3y² is the discriminant of the paper's machine, times a square.
 
     For Ω²m/k = p/q the quadratic is 18p ε² + (49p − 48q) ε − (56q − 32p) = 0. Its discriminant is
@@ -194,7 +194,7 @@ def norm_form(target: int | Fraction = 1) -> tuple[int, int]:
 
     Source: `unit_quadratic` for s = 3/2, γ = 1/3.
 
-    >>> norm_form()
+    >>> norm_coordinates()
     (41, 4)
     """
     w = BodyChoice(target=target).target

@@ -99,7 +99,7 @@ def wall_code() -> str | None:
     return st.session_state.get(_WALL)
 
 
-def find_phase(stop: Stop) -> Phase | None:
+def find_class_phase(stop: Stop) -> Phase | None:
     """Return the phase of a stop in the class; None if this is not the lecturer’s session.
 
     A stop that was not asked yet, or whose class has ended, is in the first phase.

@@ -18,10 +18,10 @@ def begin() -> bool:
     """Mount the services of the page, and return whether this run draws only the machine."""
     is_first = _ONLY_MACHINE not in st.session_state and navigation.is_first_page()
     # Without a browser no machine moves, and the projector view needs all slides from the start.
-    rest_waits = is_first and display_mode.is_browser() and st.query_params.get("view") != "projector"
+    needs_second_run = is_first and display_mode.is_browser() and st.query_params.get("view") != "projector"
     # After a restart of the server, the machine of an open page is already moving.
-    is_moving = components.mount_services(theme.current(), rest_waits, on_moving=messages.keep_in_next_run)
-    st.session_state[_ONLY_MACHINE] = rest_waits and not is_moving
+    is_moving = components.mount_services(theme.current(), needs_second_run, on_moving=messages.keep_in_next_run)
+    st.session_state[_ONLY_MACHINE] = needs_second_run and not is_moving
     return draws_only_machine()
 
 

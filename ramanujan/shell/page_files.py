@@ -96,7 +96,7 @@ def _module_files() -> dict[str, _File]:
     """Return address → file for our own modules, style sheets and fonts."""
     files = {}
     for name, content in modules.collect_files().items():
-        files[f"{modules.folder()}/{name}"] = _compress(content, _TYPES[Path(name).suffix], _IMMUTABLE)
+        files[f"{modules.folder_url()}/{name}"] = _compress(content, _TYPES[Path(name).suffix], _IMMUTABLE)
     return files
 
 

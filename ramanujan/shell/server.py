@@ -37,7 +37,7 @@ async def lifespan(_: st.App) -> AsyncIterator[None]:
     """
     for page in navigation.PAGES.values():
         page.warm_up()
-    modules.folder()  # fills the cache of the files
+    modules.folder_url()  # fills the cache of the files
     gc.collect()
     gc.freeze()
     deletion = asyncio.create_task(delete_expired_answers())

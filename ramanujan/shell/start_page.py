@@ -39,7 +39,7 @@ def content_security_policy() -> str:
 
 def html(*, has_formulas: bool) -> bytes:
     """Return the page. A page without formulas loads fewer fonts."""
-    folder = f"./{modules.folder()}"
+    folder = f"./{modules.folder_url()}"
     fonts = [f"{folder}/{name}" for name in sorted(modules.collect_files()) if "fonts/" in name]
     if has_formulas:
         # KaTeX measures formulas with these fonts. If they arrived late, lines would change their length.

@@ -17,7 +17,7 @@ The topics of the bus, where NAME is the name of a stage, CLOCK of a clock, and 
     machine/NAME      the message of `stage.payload`; removed when the visitor leaves the page
     time/NAME         {time [s], phase [rad], periods, playing}, published by the stage in every frame with a change;
                       periods of the plain mass since both hands started together
-    story/NAME        the duration of a period of the plain mass on the screen [s] while a story runs, null at its end;
+    story/NAME        while a story runs, the duration of a period of the plain mass on the screen [s]; null at its end;
                       during a story a change of the machine keeps the angle between the hands
     drawn/NAME        {ratio, normalized, parameters}: ε, Ω²m/k and the machine as drawn, also during a drag
     seek/NAME         {time [s]}: a request to pause at this time
@@ -43,7 +43,7 @@ from ramanujan.browser import modules
 from ramanujan.translation import _, menu_languages
 
 
-def mount_services(theme: str, rest_waits: bool, on_moving: Callable[[], None]) -> bool:
+def mount_services(theme: str, needs_second_run: bool, on_moving: Callable[[], None]) -> bool:
     """Mount the services of every page, before all other elements. Return whether the page's machine moves.
 
     services.js lists the services. Among them are:
@@ -58,13 +58,12 @@ def mount_services(theme: str, rest_waits: bool, on_moving: Callable[[], None]) 
     Parameters
     ----------
     theme : theme of this run, light or dark
-    rest_waits : whether the page requests its other elements in a second run, once the machine of the first page has
-        drawn its first frame
+    needs_second_run : whether the page requests a second run once the machine has drawn its first frame
     on_moving : called before the second run
     """
     data = {
         "theme": theme,
-        "rest_waits": rest_waits,
+        "needs_second_run": needs_second_run,
         "away": _("Reconnecting to the server. The page keeps everything that you set."),
         "label": _("Wide content: scroll it with the arrow keys"),
         "ring": {"stage": "oscillator", "label": _("Your machine: ε = {ratio}, Ω²m/k = {normalized}")},
@@ -100,10 +99,10 @@ def story(data: Mapping[str, Any]) -> Any:
         ratio : ε = m′/m of the machine in step
         openings : lists of scenes {sentence, ratios, periods}; the first one in the slider's range is used
         rest : the scenes that follow
-        pace : seconds of a period of the plain mass
+        screen_period : duration of a period of the plain mass on the screen [s]
         stills : {label, turns} of each clock for a reader who prefers reduced motion
-        words : ratio, a template for ε; there, the sentence in step; stills, the sentence above the clocks; mark,
-            begin, again, stop, hint
+        words : `ratio`, a template for ε; `in_step`, the sentence in step; `stills`, the sentence above the clocks;
+            `mark`, the word at the mark on the slider; `begin`, `again`, `stop` and `hint` of the button
     """
     return modules.component("components/story")(key="story", data=dict(data))
 
@@ -193,9 +192,9 @@ def link(private: Sequence[str], keys: Sequence[str]) -> Any:
 
 
 def exact(key: str, head: Mapping[str, Any], on_typed: Callable[[str], None]) -> Any:
-    """Put the heading of a slider on the page, with a box that shows its full value and accepts any text.
+    """Put the heading of a slider on the page, with a box for its exact value, in which one can type any text.
 
-    The value arrives by the topic exact/KEY.
+    The page publishes the shown value by the topic exact/KEY.
 
     Parameters
     ----------
@@ -203,7 +202,8 @@ def exact(key: str, head: Mapping[str, Any], on_typed: Callable[[str], None]) ->
     head : its symbol, unit and meaning; label and maximum length of the box; default of the slider
     on_typed : called with the typed text
     """
-    return mount("components/exact", f"{key}_exact", {"key": key, **head}, "typed", on_typed, "")
+    data = {"key": key, **head}
+    return mount("components/exact", f"{key}_exact", data, event="typed", on_value=on_typed, example="")
 
 
 def pick(figure: str, on_picked: Callable[[dict[str, float]], None]) -> Any:
@@ -214,22 +214,22 @@ def pick(figure: str, on_picked: Callable[[dict[str, float]], None]) -> Any:
     figure : key of the figure
     on_picked : called with the point's x and y, in the units of the axes
     """
-    return mount(
-        "components/pick", f"unseen-pick_{figure}", {"figure": figure}, "picked", on_picked, {"x": 0.0, "y": 0.0}
-    )
+    point = {"x": 0.0, "y": 0.0}
+    key = f"unseen-pick_{figure}"
+    return mount("components/pick", key, {"figure": figure}, event="picked", on_value=on_picked, example=point)
 
 
 def steps(route: str, headings: Sequence[str], on_turned: Callable[[str, int], None], onward: bool) -> Any:
-    """Show one step of a lecture at a time: the containers with the keys `step_1`, `step_2`, … inside `lecture`.
+    """Show one step of a lecture at a time: the containers with the keys `step-1`, `step-2`, … inside `lecture`.
 
-    The lecture begins at the step in the address; another route begins at its first step.
+    The lecture begins at the step in the address. After a change of route it begins at the first step.
 
     Parameters
     ----------
     route : name of the route
     headings : headings of the steps in their order, for screen readers
-    on_turned : called with the route and the step, shortly after the last change
-    onward : whether the last step leads to a link, in the container with the key `onward`
+    on_turned : called with the route and the step, after a pause without a turn
+    onward : whether a link follows the last step, in the container with the key `onward`
     """
     data = {"route": route, "headings": list(headings), "onward": onward}
     data["place"] = _("Step {now} of {count}: {heading}")
@@ -238,7 +238,8 @@ def steps(route: str, headings: Sequence[str], on_turned: Callable[[str, int], N
         step = min(max(position["step"], 1), len(headings))
         on_turned(position["route"], step)
 
-    return mount("components/steps", "lecture_turn", data, "at", receive, {"route": route, "step": 1})
+    position = {"route": route, "step": 1}
+    return mount("components/steps", "lecture_turn", data, event="at", on_value=receive, example=position)
 
 
 def turn(
@@ -253,8 +254,8 @@ def turn(
 
     Parameters
     ----------
-    headings : headings of the stops in their order, and of the ending, which has no number; for screen readers
-    now : number of the present stop, counted from 1; one more at the ending
+    headings : headings of the stops in their order, then that of the ending, for screen readers
+    now : number of the present stop, counted from 1; at the ending, the number of stops plus 1
     on_turned : called with the number of the requested stop
     clicker : whether the page keys also turn stops
     place : template of a screen reader's sentence about the present stop
@@ -266,7 +267,7 @@ def turn(
     def receive(number: int) -> None:
         on_turned(min(max(number, 1), len(headings)))
 
-    return mount("components/turn", "turn", data, "to", receive, now)
+    return mount("components/turn", "turn", data, event="to", on_value=receive, example=now)
 
 
 def pager(on_turned: Callable[[str], None]) -> Any:
@@ -276,9 +277,10 @@ def pager(on_turned: Callable[[str], None]) -> Any:
 
     Parameters
     ----------
-    on_turned : called with the name of the slide shortly after the last turn, with "" for the first slide
+    on_turned : called with the name of the slide after a pause without a turn; with "" for the first slide
     """
-    return mount("components/pager", "pager", {"place": "{now} / {count}: {title}"}, "at", on_turned, "")
+    data = {"place": "{now} / {count}: {title}"}
+    return mount("components/pager", "pager", data, event="at", on_value=on_turned, example="")
 
 
 def stopwatch(key: str) -> float | None:

@@ -6,12 +6,12 @@ const PATIENCE = 10000; // ms after which the second run is requested even if no
 
 export default function (component, signal) {
   let isRequested = false;
-  const request = () => {
-    if (isRequested || !component.data.rest_waits) return;
+  const requestSecondRun = () => {
+    if (isRequested || !component.data.needs_second_run) return;
     isRequested = true;
     component.setStateValue("moving", true);
   };
   // The first drawing is on the screen when the next frame begins.
-  bus.subscribe("time/oscillator", () => isRequested || requestAnimationFrame(request), { signal });
-  setTimeout(request, PATIENCE);
+  bus.subscribe("time/oscillator", () => isRequested || requestAnimationFrame(requestSecondRun), { signal });
+  setTimeout(requestSecondRun, PATIENCE);
 }

@@ -3,7 +3,7 @@
 import { fill } from "./sentences.js";
 import { element, set } from "../stage/svg.js";
 
-const EYE = [0.85, 0.42]; // position of the eye: to the side of the centre, and above it
+const EYE = [0.85, 0.42]; // direction of the eye from the centre: horizontal and vertical part
 const TILT = Math.atan2(EYE[1], EYE[0]);
 const EDGE = 10; // length of a unit cube's edge in the picture
 const SPACING = 2; // the gap between two cubes, in unit cubes
@@ -17,6 +17,7 @@ const DEGREES_PER_PIXEL = 0.5; // of a drag
  */
 export function faces(sides, apart, turn) {
   const angle = turn * DEGREES, [x, y, z] = [[1, 0, 0], [0, 1, 0], [0, 0, 1]];
+  const largestSide = Math.max(...sides);
   const across = [-Math.sin(angle), Math.cos(angle), 0];
   const upright = [-Math.cos(angle) * Math.sin(TILT), -Math.sin(angle) * Math.sin(TILT), Math.cos(TILT)];
   const dot = (a, b) => a.reduce((sum, component, i) => sum + component * b[i], 0);
@@ -28,22 +29,22 @@ export function faces(sides, apart, turn) {
   };
   let start = 0;
   const cubes = sides.map((side, cube) => {
-    const corner = [start, Math.floor((Math.max(...sides) - side) / 2), 0], high = apart ? 1 : side;
+    const corner = [start, Math.floor((largestSide - side) / 2), 0], layerHeight = apart ? 1 : side;
     start += side + SPACING;
-    const near = (edge) => (dot(edge, [Math.cos(angle), Math.sin(angle), 0]) > 0 ? add(corner, edge, side) : corner);
+    const nearCorner = (edge) => (dot(edge, [Math.cos(angle), Math.sin(angle), 0]) > 0 ? add(corner, edge, side) : corner);
     const rectangles = [
-      { face: "x", from: near(x), along: y, upwards: z, length: side, height: high },
-      { face: "y", from: near(y), along: x, upwards: z, length: side, height: high },
-      { face: "top", from: add(corner, z, high), along: x, upwards: y, length: side, height: side },
+      { face: "x", from: nearCorner(x), along: y, upwards: z, length: side, height: layerHeight },
+      { face: "y", from: nearCorner(y), along: x, upwards: z, length: side, height: layerHeight },
+      { face: "top", from: add(corner, z, layerHeight), along: x, upwards: y, length: side, height: side },
     ];
     return rectangles.map(({ face, from, along, upwards, length, height }) => {
-      const far = add(from, along, length), lines = [];
+      const end = add(from, along, length), lines = [];
       for (let n = 0; n <= length; n++) {
         const foot = add(from, along, n);
         lines.push(`M${project(foot)}L${project(add(foot, upwards, height))}`);
       }
-      for (let n = 0; n <= height; n++) lines.push(`M${project(add(from, upwards, n))}L${project(add(far, upwards, n))}`);
-      const corners = [from, far, add(far, upwards, height), add(from, upwards, height)];
+      for (let n = 0; n <= height; n++) lines.push(`M${project(add(from, upwards, n))}L${project(add(end, upwards, n))}`);
+      const corners = [from, end, add(end, upwards, height), add(from, upwards, height)];
       const outline = `M${corners.map(project).join("L")}z`;
       return { cube, face, outline, grid: lines.join(""), layers: apart ? side : 1, rise: -EDGE * (1 + GAP) * Math.cos(TILT) };
     });
@@ -51,10 +52,10 @@ export function faces(sides, apart, turn) {
   return (Math.cos(angle) > 0 ? cubes : cubes.reverse()).flat();
 }
 
-/** The largest height of the picture over all directions. With this height reserved, nothing below the picture moves. */
-const tallest = (sides, apart, wide) => {
-  const most = Math.max(...sides), high = most * (apart ? 1 + GAP : 1);
-  return EDGE * (high * Math.cos(TILT) + Math.hypot(wide, most) * Math.sin(TILT) + 1);
+/** The largest height of a stack over all directions. The picture always has this height, so nothing below it moves. */
+const largestHeight = (sides, apart, width) => {
+  const largestSide = Math.max(...sides), stackHeight = largestSide * (apart ? 1 + GAP : 1);
+  return EDGE * (stackHeight * Math.cos(TILT) + Math.hypot(width, largestSide) * Math.sin(TILT) + 1);
 };
 
 export default function ({ data: { sums, alternatives, captions, words }, parentElement: root }, signal) {
@@ -72,7 +73,7 @@ export default function ({ data: { sums, alternatives, captions, words }, parent
     return [sides, svg];
   });
   const draw = () => {
-    const high = Math.max(...sums.map((sides) => tallest(sides, box.checked, widest + SPACING)));
+    const pictureHeight = Math.max(...sums.map((sides) => largestHeight(sides, box.checked, widest + SPACING)));
     for (const [sides, svg] of pictures) {
       const layers = new Map();
       // A cube that is pulled apart has `count` equal layers, and each is shifted by `rise` from the previous one.
@@ -85,8 +86,9 @@ export default function ({ data: { sums, alternatives, captions, words }, parent
           element("path", { class: "grid", d: grid }, group);
         }
       svg.replaceChildren(...layers.values());
-      const { x, y, width, height } = svg.getBBox(), room = EDGE * (widest + SPACING + 2);
-      set(svg, { viewBox: `${x + (width - room) / 2} ${y + (height - high) / 2} ${room} ${high}` });
+      const { x, y, width, height } = svg.getBBox(), pictureWidth = EDGE * (widest + SPACING + 2);
+      const [left, top] = [x + (width - pictureWidth) / 2, y + (height - pictureHeight) / 2];
+      set(svg, { viewBox: `${left} ${top} ${pictureWidth} ${pictureHeight}` });
     }
     slider.ariaValueText = fill(words.degrees, { angle: slider.value });
   };
@@ -97,7 +99,7 @@ export default function ({ data: { sums, alternatives, captions, words }, parent
   box.addEventListener("change", draw, { signal });
   slider.addEventListener("input", draw, { signal });
   // A hidden element has no size, so draw the stacks again when they become visible.
-  const shown = new ResizeObserver(draw);
-  shown.observe(root.querySelector(".stacks"));
-  signal.addEventListener("abort", () => shown.disconnect());
+  const sizes = new ResizeObserver(draw);
+  sizes.observe(root.querySelector(".stacks"));
+  signal.addEventListener("abort", () => sizes.disconnect());
 }

@@ -4,7 +4,7 @@
 
 import { bus } from "./bus.js";
 import { dom } from "./streamlit_dom.js";
-import { along, area, draw, erase } from "./marks.js";
+import { draw, erase, panelArea, shareOf } from "./marks.js";
 import { fill, fixed, withUnit } from "./sentences.js";
 
 const CURSOR = "time-cursor";
@@ -64,7 +64,7 @@ class Cursor {
   }
 
   show(graph) {
-    if (area(graph)) mark(graph, this.share);
+    if (panelArea(graph)) mark(graph, this.share);
     const time = withUnit(fixed(this.share * this.span, 2), "s");
     const text = fill(this.place, { time, periods: fixed(this.share * this.meta.periods, 2) });
     if (this.output.textContent === text) return;
@@ -75,23 +75,23 @@ class Cursor {
   // ---- the pointer on a figure over time
 
   press(event) {
-    const graph = dom.graphOf(event.target), line = event.target.matches?.(`.${CURSOR}`);
+    const graph = dom.graphOf(event.target), isOnLine = event.target.matches?.(`.${CURSOR}`);
     if (event.button !== 0 || !event.isPrimary || graph?.layout?.meta?.cursor !== "time") return;
-    if (!line && !dom.isPanel(event.target)) return;
-    this.pressed = { graph, line, id: event.pointerId, x: event.clientX, y: event.clientY };
-    if (!line) return;
+    if (!isOnLine && !dom.isPanel(event.target)) return;
+    this.pressed = { graph, isOnLine, id: event.pointerId, x: event.clientX, y: event.clientY };
+    if (!isOnLine) return;
     event.target.setPointerCapture(event.pointerId);
     event.preventDefault();
   }
 
   drag(event) {
-    if (this.pressed?.line && event.pointerId === this.pressed.id) this.seek(this.shareAt(event));
+    if (this.pressed?.isOnLine && event.pointerId === this.pressed.id) this.seek(this.shareAt(event));
   }
 
   letGo(event) {
     if (event.pointerId !== this.pressed?.id) return;
-    const { x, y, line } = this.pressed;
-    if (!line && Math.hypot(event.clientX - x, event.clientY - y) < STILL) this.seek(this.shareAt(event));
+    const { x, y, isOnLine } = this.pressed;
+    if (!isOnLine && Math.hypot(event.clientX - x, event.clientY - y) < STILL) this.seek(this.shareAt(event));
     this.pressed = null;
   }
 
@@ -106,18 +106,19 @@ class Cursor {
 function mark(graph, share) {
   const { xaxis, yaxis, meta } = graph.layout;
   if (meta.cursor === "time") {
-    draw(graph, CURSOR, 0, along(xaxis, share * meta.period * meta.periods), 0.5).style.height = `${100 * area(graph).height}%`;
+    const line = draw(graph, CURSOR, 0, shareOf(xaxis, share * meta.period * meta.periods), 0.5);
+    line.style.height = `${100 * panelArea(graph).height}%`;
     return;
   }
   dom.curves(graph).forEach(({ x, y, visible, line }, i) => {
-    const across = visible === true ? along(xaxis, between(x, share)) : NaN;
-    const dot = draw(graph, CURSOR, i, across, along(yaxis, between(y, share)));
+    const across = visible === true ? shareOf(xaxis, between(x, share)) : NaN;
+    const dot = draw(graph, CURSOR, i, across, shareOf(yaxis, between(y, share)));
     dot.classList.add("dot");
     dot.style.color = line.color;
   });
 }
 
-/** Interpolate linearly between equidistant values, at a share of their range. */
+/** Interpolate linearly between samples at equal steps; `share` is 0 at the first sample and 1 at the last. */
 function between(values, share) {
   const position = share * (values.length - 1), i = Math.min(Math.floor(position), values.length - 2);
   return values[i] + (position - i) * (values[i + 1] - values[i]);

@@ -10,43 +10,43 @@ export default function ({ parentElement }, signal) {
   const button = parentElement.querySelector("button");
   const root = document.documentElement;
   const narrow = matchMedia(dom.NARROW);
-  let back = null; // scroll position before the drawer scrolled to the machine
+  let scrollBefore = null; // scroll position before the drawer scrolled to the machine
   let pullStart = null;
 
-  const set = (open, scrolls = true) => {
+  const setOpen = (open, scrolls = true) => {
     root.dataset.drawer = open ? "open" : "closed";
     button.setAttribute("aria-expanded", String(open));
     if (!scrolls || !narrow.matches) return;
     const main = dom.main();
     if (open) {
-      back = main?.scrollTop ?? null;
-      const away = dom.stageAway();
-      if (away) main.scrollBy({ top: away });
-    } else if (back !== null) {
-      main.scrollTo({ top: back });
-      back = null;
+      scrollBefore = main?.scrollTop ?? null;
+      const distance = dom.distanceToStage();
+      if (distance) main.scrollBy({ top: distance });
+    } else if (scrollBefore !== null) {
+      main.scrollTo({ top: scrollBefore });
+      scrollBefore = null;
     }
   };
   // A page begins with a closed drawer, so that the text is visible.
-  set(false, false);
-  bus.subscribe("sliders", () => set(true), { signal });
+  setOpen(false, false);
+  bus.subscribe("sliders", () => setOpen(true), { signal });
   const on = (node, type, handler, options = {}) => node.addEventListener(type, handler, { ...options, signal });
   on(button, "pointerdown", (event) => (pullStart = event.clientY));
   on(button, "pointerup", (event) => {
     const by = pullStart === null ? 0 : event.clientY - pullStart;
     pullStart = null;
     if (Math.abs(by) < PULL) return;
-    set(by < 0);
+    setOpen(by < 0);
     button.dataset.pulled = "yes"; // ignore the click that follows a pull
   });
   on(button, "click", () => {
-    if (!button.dataset.pulled) set(root.dataset.drawer !== "open");
+    if (!button.dataset.pulled) setOpen(root.dataset.drawer !== "open");
     delete button.dataset.pulled;
   });
   on(document, "click", (event) => {
     if (!dom.isPageLink(event.target)) return;
-    back = null;
-    set(false, false);
+    scrollBefore = null;
+    setOpen(false, false);
   });
   signal.addEventListener("abort", () => delete root.dataset.drawer);
   dom.showPresentPage();

@@ -14,7 +14,7 @@ export default function (component, signal) {
   box.id = root.querySelector("label").htmlFor = "box";
 
   const send = (text) => component.setTriggerValue("typed", text);
-  // In some languages, a point before three digits would be a thousands separator.
+  // In some languages, a point before three digits would be a thousands separator, so send the decimal mark.
   const sendValue = (text) => send(text.replace(".", DECIMAL));
   const snap = makeSnap(key, sendValue, signal);
 
@@ -25,7 +25,7 @@ export default function (component, signal) {
   };
   const show = () => {
     // Streamlit's server always writes the complete address, which can be older than the slider.
-    if (dom.shows(dom.slider(key), received.value, received)) dom.keep([[key, received.value, component.data.default]]);
+    if (dom.shows(dom.slider(key), received.value, received)) dom.writeSettings([[key, received.value, component.data.default]]);
     const isEdited = root.activeElement === box && box.value !== box.dataset.shown;
     if (!isEdited) write();
   };

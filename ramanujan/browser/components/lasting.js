@@ -7,7 +7,7 @@ export function observe(node, options, callback, signal) {
   signal.addEventListener("abort", () => observer.disconnect());
 }
 
-/** Return a debounced function: `callback` runs `ms` milliseconds after its last call. Its method `cancel` drops a pending call. */
+/** Return a function that calls `callback` after `ms` milliseconds without another call. Its method `cancel` drops a pending call. */
 export function debounce(ms, callback, signal) {
   let timer = 0;
   const cancel = () => clearTimeout(timer);

@@ -15,7 +15,10 @@ export default function ({ data, parentElement }, signal) {
   const [select, report, input] = parentElement.querySelectorAll("select, .report, input");
   select.hidden = !data.languages.length;
   select.replaceChildren(
-    ...data.languages.map(({ lang, name, url_path: urlPath, is_active: isActive }) => Object.assign(new Option(name, urlPath, isActive, isActive), { lang })),
+    ...data.languages.map(({ lang, name, url_path: urlPath, is_active: isActive }) => {
+      const option = new Option(name, urlPath, isActive, isActive);
+      return Object.assign(option, { lang });
+    }),
   );
   select.onchange = () => location.assign(select.value + location.pathname.split("/").pop() + location.search);
 
@@ -35,8 +38,8 @@ export default function ({ data, parentElement }, signal) {
       input.select();
     }
   }
-  /** The settings in the address that the file accepts. */
-  function machine() {
+  /** The settings in the address that the file accepts, as text. */
+  function machineSettings() {
     const known = [...dom.settings()].filter(([key]) => data.keys.includes(key));
     return String(new URLSearchParams(known));
   }
@@ -50,7 +53,7 @@ export default function ({ data, parentElement }, signal) {
     async save() {
       try {
         const text = await (await fetch(file)).text();
-        const start = START.replace('""', `"${machine().replaceAll("&", "&amp;")}"`);
+        const start = START.replace('""', `"${machineSettings().replaceAll("&", "&amp;")}"`);
         const saved = URL.createObjectURL(new Blob([text.replace(START, () => start)], { type: "text/html" }));
         Object.assign(document.createElement("a"), { href: saved, download: data.file }).click();
         setTimeout(() => URL.revokeObjectURL(saved), 60000);
@@ -60,7 +63,7 @@ export default function ({ data, parentElement }, signal) {
       }
     },
     embed() {
-      const hash = machine(), frame = document.createElement("iframe");
+      const hash = machineSettings(), frame = document.createElement("iframe");
       const src = `${file}${hash && `#${hash}`}`;
       const attributes = { src, title: data.title, width: "100%", height: 800, style: "border:0" };
       for (const [name, value] of Object.entries(attributes)) frame.setAttribute(name, value);

@@ -3,16 +3,17 @@
 import { dom } from "./streamlit_dom.js";
 
 /** The position of a value on an axis, as a share of its length. The range of a logarithmic axis is in powers of ten. */
-export const along = ({ type, range: [from, to] }, value) => ((type === "log" ? Math.log10(value) : value) - from) / (to - from);
+export const shareOf = ({ type, range: [from, to] }, value) =>
+  ((type === "log" ? Math.log10(value) : value) - from) / (to - from);
 
 /** The position of a value on the axis of an inset, as a share of all panels; NaN beyond the ends of the axis. */
-export function within({ domain: [from, to] = [0, 1], ...axis }, value) {
-  const share = along(axis, value);
+export function shareInInset({ domain: [from, to] = [0, 1], ...axis }, value) {
+  const share = shareOf(axis, value);
   return share >= 0 && share <= 1 ? from + share * (to - from) : NaN;
 }
 
-/** The rectangle of all panels of a graph, in shares of the graph; null before they are drawn. */
-export function area(graph) {
+/** The rectangle around all panels of a graph, as shares of the graph's size; null before the panels are drawn. */
+export function panelArea(graph) {
   const box = (node) => node.getBoundingClientRect();
   const whole = box(graph), panels = dom.panels(graph).map(box);
   if (!panels.length) return null;
@@ -27,9 +28,9 @@ export function area(graph) {
   };
 }
 
-/** Place the i-th mark with this class name at shares x, y of the panels. Outside of the panels it is hidden. */
+/** Place the i-th mark with this class name at shares x, y of the panels. A mark outside of the panels is hidden. */
 export function draw(graph, name, i, x, y) {
-  const { left, top, width, height } = area(graph), share = (part) => `${100 * part}%`;
+  const { left, top, width, height } = panelArea(graph), share = (part) => `${100 * part}%`;
   const create = () => graph.appendChild(Object.assign(document.createElement("i"), { className: name }));
   const node = graph.querySelectorAll(`.${name}`)[i] ?? create();
   node.hidden = !(x >= 0 && x <= 1 && y >= 0 && y <= 1);

@@ -6,9 +6,9 @@ import { dom } from "./streamlit_dom.js";
 export default function (component) {
   const button = component.parentElement.querySelector("button");
   button.addEventListener("click", () => {
-    const { stage, time } = component.data, away = dom.stageAway();
+    const { stage, time } = component.data, distance = dom.distanceToStage();
     bus.publish(`seek/${stage}`, { time });
-    if (away < 0) dom.main().scrollBy({ top: away });
+    if (distance < 0) dom.main().scrollBy({ top: distance });
   });
   return () => (button.textContent = component.data.label);
 }

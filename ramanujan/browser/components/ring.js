@@ -3,7 +3,7 @@
 
 import { bus } from "./bus.js";
 import { dom } from "./streamlit_dom.js";
-import { area, draw, erase, within } from "./marks.js";
+import { draw, erase, panelArea, shareInInset } from "./marks.js";
 import { fill, number } from "./sentences.js";
 
 const RING = "present-machine";
@@ -15,11 +15,11 @@ export default function ({ data: { ring } }, signal) {
     const { ratio, normalized } = bus.last(`drawn/${ring.stage}`) ?? {};
     if (!graph) return;
     if (normalized === undefined) erase(graph, RING);
-    else if (area(graph)) {
+    else if (panelArea(graph)) {
       const { xaxis, yaxis, xaxis2, yaxis2, meta } = graph.layout;
       const ariaLabel = fill(ring.label, { ratio: number(ratio, 4), normalized: number(normalized, 6) });
-      for (const [i, [across, up]] of [[xaxis, yaxis], [xaxis2, yaxis2]].entries()) {
-        const node = draw(graph, RING, i, within(across, ratio), within(up, normalized));
+      for (const [i, [horizontal, vertical]] of [[xaxis, yaxis], [xaxis2, yaxis2]].entries()) {
+        const node = draw(graph, RING, i, shareInInset(horizontal, ratio), shareInInset(vertical, normalized));
         node.style.borderColor = meta.ring;
         node.classList.toggle("in-step", Math.abs(normalized - 1) < IN_STEP);
         Object.assign(node, i ? { ariaHidden: true } : { role: "img", ariaLabel });
@@ -27,9 +27,9 @@ export default function ({ data: { ring } }, signal) {
     }
   };
   bus.subscribe(`drawn/${ring.stage}`, show, { signal });
-  dom.watchGraphs((each) => {
-    if (!each.layout?.meta?.ring) return;
-    graph = each;
+  dom.watchGraphs((drawnGraph) => {
+    if (!drawnGraph.layout?.meta?.ring) return;
+    graph = drawnGraph;
     show();
   }, signal);
   signal.addEventListener("abort", () => graph && erase(graph, RING));

@@ -1,12 +1,12 @@
-// Lets a slider's thumb snap to a value between its steps, the goal, which the topic goal/KEY contains. The slider sends the step
-// beside it; then the page sends the goal like a typed value.
+// Lets a slider's thumb snap to the goal, a value between its steps from the topic goal/KEY. The slider sends the step beside the
+// goal; then the page sends the goal like a typed value.
 
 import { bus } from "./bus.js";
 import { debounce } from "./lasting.js";
 import { dom } from "./streamlit_dom.js";
 
 const NEAR = 6; // px, the distance from the goal within which a thumb snaps to it; a key snaps only at the step beside it
-const PAUSE = 400; // ms after the last move until the goal is sent: the slider sends its step before
+const PAUSE = 400; // ms from the last move until the goal is sent; before that, the slider sends its step
 
 /** Return the functions `moveTo` and `follow` for the slider with this key. `send` sends a text like a typed one. */
 export function makeSnap(key, send, signal) {
@@ -26,7 +26,7 @@ export function makeSnap(key, send, signal) {
     sendGoal();
   });
 
-  /** Move the slider to a value that may be between two steps. null leaves it at its step. */
+  /** Move the slider to a value that may be between two steps; with null, to the step to which the reader has moved it. */
   const moveTo = (value) => {
     const slider = dom.slider(key);
     dom.snap(slider, value);
@@ -40,7 +40,7 @@ export function makeSnap(key, send, signal) {
     if (dom.isDragged(slider)) cause = "thumb";
     const reach = cause === "thumb" ? NEAR * dom.perPixel(slider) : slider.step / 2;
     const isNear = cause && goal() && Math.abs(slider.value - goal()) <= reach;
-    moveTo(isNear ? goal() : null);
+    moveTo(isNear ? goal() : null); // null also ends an earlier snap
     if (isNear) sendGoal();
     cause = null;
   };

@@ -10,7 +10,7 @@ const PAUSE = 300; // ms from the last turn until the step is sent to the server
 
 export default function (component, signal) {
   const sheet = document.head.appendChild(document.createElement("style"));
-  // Keys that also scroll the page turn a step only while the lecture is in view.
+  // Of the keys that turn, all but the left and right arrows also scroll the page. These turn only while the lecture is in view.
   const mayTurn = ({ key }) => key.startsWith("Arrow") || dom.inView(dom.lecture());
   const turner = new Turner(component, signal, { sliderEvent: "input", mayTurn, onTurned, onward: dom.onward });
   const send = debounce(PAUSE, () => component.setStateValue("at", { route, step: turner.now }), signal);
@@ -33,7 +33,7 @@ export default function (component, signal) {
   return () => {
     const { data } = component;
     if (data.route !== route) {
-      // The lecture begins at the step in the address; another route begins at its first step.
+      // The lecture begins at the step in the address. After a change of route it begins at the first step.
       const inAddress = Number(new URLSearchParams(location.search).get("step"));
       send.cancel();
       turner.now = !route && data.headings[inAddress - 1] ? inAddress : 1;

@@ -20,7 +20,7 @@ class Story {
   constructor(data, root, signal) {
     const find = (selector) => root.querySelector(selector);
     Object.assign(this, { data, signal, button: find("button"), output: find(".sentence"), stills: find(".stills") });
-    this.calm = matchMedia("(prefers-reduced-motion: reduce)");
+    this.reducedMotion = matchMedia("(prefers-reduced-motion: reduce)");
     this.button.title = data.words.hint;
     find(".stills p").textContent = data.words.stills;
     find("ol").innerHTML = data.stills.map(clockFace).join("");
@@ -34,7 +34,7 @@ class Story {
     const isPress = (event) => event.composedPath().includes(button) && [undefined, " ", "Enter"].includes(event.key);
     const interrupt = (event) => this.scenes && !isPress(event) && this.stop();
     for (const type of ["pointerdown", "keydown"]) addEventListener(type, interrupt, { capture: true, signal });
-    this.calm.addEventListener("change", () => this.scenes && this.begin(), { signal });
+    this.reducedMotion.addEventListener("change", () => this.scenes && this.begin(), { signal });
     signal.addEventListener("abort", () => {
       bus.forget(`goal/${slider}`);
       if (this.scenes) bus.publish(`story/${stage}`, null);
@@ -49,10 +49,10 @@ class Story {
   }
 
   begin() {
-    const { data: { slider, openings, rest }, machine, calm } = this, input = dom.slider(slider);
+    const { data: { slider, openings, rest }, machine, reducedMotion } = this, input = dom.slider(slider);
     if (!machine || !input || input.disabled) return;
-    this.stills.hidden = !calm.matches;
-    if (calm.matches) return this.complete();
+    this.stills.hidden = !reducedMotion.matches;
+    if (reducedMotion.matches) return this.complete();
     const opening = openings.find(([{ ratios }]) => ratios[0] * machine.m <= input.max);
     const scenes = [...opening, ...rest];
     dom.moveSlider(input, scenes[0].ratios[0] * machine.m);
@@ -71,14 +71,14 @@ class Story {
   complete() {
     hasReachedGoal = isCompleted = true;
     this.setScenes(null);
-    this.show(this.data.words.there);
+    this.show(this.data.words.in_step);
     bus.publish(`enter/${this.data.slider}`, String(this.goal));
   }
 
   setScenes(scenes) {
-    const { stage, slider, pace, words } = this.data;
+    const { stage, slider, screen_period: screenPeriod, words } = this.data;
     this.scenes = scenes;
-    bus.publish(`story/${stage}`, scenes && pace);
+    bus.publish(`story/${stage}`, scenes && screenPeriod);
     bus.publish(`goal/${slider}`, null);
     this.button.textContent = scenes ? words.stop : this.startLabel();
   }
@@ -109,15 +109,15 @@ class Story {
     if (this.scenes) return;
     const { words, slider } = this.data, isInStep = Math.abs(ratio / this.data.ratio - 1) < SAME;
     bus.publish(`goal/${slider}`, this.goal);
-    if (isInStep && !hasReachedGoal) bus.publish("announce", { sentence: words.there, urgent: false });
+    if (isInStep && !hasReachedGoal) bus.publish("announce", { sentence: words.in_step, urgent: false });
     hasReachedGoal ||= isInStep;
-    this.output.textContent = isInStep ? words.there : fill(words.ratio, { ratio: fixed(ratio, 4) });
-    this.output.classList.toggle("there", isInStep);
+    this.output.textContent = isInStep ? words.in_step : fill(words.ratio, { ratio: fixed(ratio, 4) });
+    this.output.classList.toggle("in-step", isInStep);
     this.button.textContent = this.startLabel();
     this.mark();
   }
 
-  /** Mark the goal on the slider once it was reached. Streamlit may draw the slider later, so try again in the next frame. */
+  /** Mark the goal on the slider if it has been reached. Without a slider, which Streamlit may draw later, try again. */
   mark() {
     if (!hasReachedGoal || dom.markSlider(this.data.slider, this.goal, this.data.words.mark) || this.signal.aborted) return;
     requestAnimationFrame(() => this.mark());
@@ -134,7 +134,7 @@ class Story {
   }
 }
 
-/** Interpolate linearly between equidistant values, at a share of their range. */
+/** Interpolate linearly between samples at equal steps; `share` is 0 at the first sample and less than 1. */
 function between(values, share) {
   const position = share * (values.length - 1), i = Math.floor(position);
   return values[i] + (position - i) * (values[i + 1] - values[i]);

@@ -15,15 +15,15 @@ export const dom = {
   slider: (key) => document.querySelector(`.st-key-${CSS.escape(key)} input[type="range"]`),
 
   /**
-   * Whether a slider shows the server's value, rounded to a step; false for a missing slider. After a drag away from the
-   * value and back, the thumb is at the step that it will send, so the two values must be equal.
+   * Whether a slider shows the server's value, rounded to a step; false for a missing slider. `received` is the object with the
+   * value. After a drag away from the value and back, the slider will send its step, so the two values must be equal.
    */
   shows(slider, value, received) {
     if (!slider) return false;
-    const off = Math.abs(dom.value(slider) - value), isNear = off <= 0.501 * Number(slider.step);
-    if (snapped.has(slider)) return off === 0 && snapped.delete(slider);
+    const distance = Math.abs(dom.value(slider) - value), isNear = distance <= 0.501 * Number(slider.step);
+    if (snapped.has(slider)) return distance === 0 && snapped.delete(slider);
     if (!isNear && dom.isDragged(slider)) draggedAway.set(received, slider);
-    return isNear && (off < 1e-9 || draggedAway.get(received) !== slider);
+    return isNear && (distance < 1e-9 || draggedAway.get(received) !== slider);
   },
 
   /** A slider's value: the value to which its thumb has snapped, or the value of its step. */
@@ -42,7 +42,7 @@ export const dom = {
    * text remains in the page, but page.css hides it if the formatted text exists.
    */
   watchSliderValues(write, signal) {
-    const look = () => {
+    const update = () => {
       for (const input of document.querySelectorAll("[data-testid=stSlider] input[type=range]")) {
         const text = input.ariaValueText ?? "";
         if (!/^-?\d+(\.\d+)?$/.test(text)) continue;
@@ -52,8 +52,8 @@ export const dom = {
         if (thumb && thumb.dataset.written !== written) thumb.dataset.written = written;
       }
     };
-    observe(document.body, { subtree: true, childList: true, attributeFilter: ["aria-valuetext"] }, look, signal);
-    look();
+    observe(document.body, { subtree: true, childList: true, attributeFilter: ["aria-valuetext"] }, update, signal);
+    update();
   },
 
   /** Whether a slider's thumb is being dragged; the change of a slider's value per pixel. */
@@ -94,8 +94,8 @@ export const dom = {
   /** The settings in the address: after ? in the app, after # in the standalone file. */
   settings: () => new URLSearchParams(STANDALONE ? location.hash.slice(1) : location.search),
 
-  /** Write values into the address, given by key, value and default; omit a value that equals its default. */
-  keep(entries) {
+  /** Write settings into the address; an entry is [key, value, default]. Omit a value that equals its default. */
+  writeSettings(entries) {
     const settings = dom.settings();
     for (const [key, value, byDefault] of entries) value === byDefault ? settings.delete(key) : settings.set(key, value);
     if (String(settings) === String(dom.settings())) return;
@@ -280,7 +280,7 @@ export const dom = {
   main: () => document.querySelector("[data-testid=stMain]"),
 
   /** The scroll distance until the stage is at the top, below the bar of pages; 0 without a stage. */
-  stageAway: () => (document.querySelector("[class*=st-key-stage]")?.getBoundingClientRect().top ?? 56) - 56,
+  distanceToStage: () => (document.querySelector("[class*=st-key-stage]")?.getBoundingClientRect().top ?? 56) - 56,
 
   isPageLink: (node) => Boolean(node.closest?.("[data-testid=stSidebarNavLink], [data-testid=stPageLink] a")),
 

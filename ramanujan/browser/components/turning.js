@@ -15,8 +15,8 @@ export class Turner {
   now = 0;
 
   /**
-   * `sliderEvent`: the slider's event that turns. `mayTurn(event, by)`: whether a key may turn by this number of steps.
-   * `onTurned(to)` is called after a turn. `onward()`: the link after the last step, if any.
+   * `sliderEvent`: name of the slider's event that turns. `mayTurn(event, by)`: whether a key may turn by this number of steps.
+   * `onTurned(to)` is called after a turn. `onward()` returns the link after the last step, if any.
    */
   constructor(component, signal, { sliderEvent, mayTurn, onTurned, onward }) {
     const root = component.parentElement;
@@ -34,7 +34,7 @@ export class Turner {
     document.addEventListener("keydown", press, { signal });
   }
 
-  /** Go to a step, or to the nearest one that exists. Return whether the step has changed. Beyond the last, follow the link. */
+  /** Go to a step, or to the nearest existing step. Return whether the step has changed. Beyond the last step, follow the link. */
   go(wanted) {
     const to = Math.min(Math.max(wanted, 1), this.component.data.headings.length);
     if (to === this.now) {

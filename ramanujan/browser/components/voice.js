@@ -9,7 +9,7 @@ const PAUSE = 500; // ms without a new sentence before one is announced
 export default function ({ parentElement }, signal) {
   const region = parentElement.querySelector("[role=status]");
   let next = null;
-  const soon = debounce(PAUSE, () => {
+  const announceSoon = debounce(PAUSE, () => {
     // A screen reader announces only changes, so clear the region before repeating a sentence.
     if (region.textContent === next.sentence) region.textContent = "";
     region.textContent = next.sentence;
@@ -18,6 +18,6 @@ export default function ({ parentElement }, signal) {
   }, signal);
   bus.subscribe("announce", (announcement) => {
     if (!next?.urgent || announcement.urgent) next = announcement;
-    soon();
+    announceSoon();
   }, { signal });
 }

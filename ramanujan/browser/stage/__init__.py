@@ -44,7 +44,7 @@ The message, published at every change; all but the first entry are optional:
     computed     samples drawn as an outline over the exact motion, with these items:
                  log, the evaluations and the phase error in turns after each period, as text;
                  run, the number of the run;
-                 pace, the seconds of a period while a new run is shown for the first time
+                 screen_period, the duration of a period on the screen [s] when a new run is first shown
     slipping     the contact to mark, such as hoop_slab
     hide         the hidden parts, members of `PARTS`
 
@@ -137,7 +137,8 @@ def mount(
     """
     constants = settings(key, **options)
     if on_view:
-        components.mount("stage/stage", key, {**constants, "sends_view": True}, "view", on_view, VIEW)
+        constants["sends_view"] = True
+        components.mount("stage/stage", key, constants, event="view", on_value=on_view, example=VIEW)
     else:
         modules.component("stage/stage")(key=key, data=constants)
     if data is not None:

@@ -1,5 +1,6 @@
 // The layer Coordinates: X, φ and Φ with their positive sense, x₀, R, and a bracket for the lower rollers' common mass.
-// Lengths are centimetres of the picture; y points up.
+// Lengths are centimetres of the picture; y points up. `g` is the geometry from `layout`. Numbers without a name are gaps and
+// sizes that keep marks and labels clear of each other.
 
 import { CM, ROLLERS, arc, displacements, headOf, velocityArrow } from "./drawing.js";
 import { FORMULAS } from "./formulas.js";

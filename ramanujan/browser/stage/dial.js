@@ -1,5 +1,5 @@
 // The comparison of the machine with the plain mass: two clock hands, the sentences below them, the gauge, and the readouts.
-// All of these light up when the two are in step.
+// All of these are highlighted when the two are in step.
 
 import { fill, fixed, number, withUnit } from "../components/sentences.js";
 import { FORMULAS } from "./formulas.js";
@@ -32,20 +32,21 @@ function leadSentence({ phase, plainPhase, periods }) {
 /** Return a sentence: the time until the hands are one full turn apart. */
 function partingSentence({ Omega, plain }) {
   const periods = 1 / Math.abs(Omega / plain - 1);
-  const turns = periods < 10 ? fixed(periods, 1) : fixed(Math.round(periods), 0);
+  const rounded = periods < 10 ? fixed(periods, 1) : fixed(Math.round(periods), 0);
   const words = { "in-step": WORDS.in_step, nearly: WORDS.nearly, apart: WORDS.parting };
-  return fill(words[nearness({ Omega, plain })], { turns, least: fixed(VISIBLE, 2) });
+  return fill(words[nearness({ Omega, plain })], { periods: rounded, least: fixed(VISIBLE, 2) });
 }
 
 export function makeDial(root) {
   const find = finder(root);
   const readouts = Object.fromEntries(["normalized", "omega", "period"].map((name) => [name, find(`[data-read=${name}]`)]));
   const limit = FORMULAS.normalized_limit({});
+  // The gauge of stage.html is 200 units wide, with a margin of 10 units.
   const gaugeX = (value) => 10 + (180 * value) / limit;
   set(find(".unity"), { x: gaugeX(1) });
   for (let value = 0; value <= limit; value += 0.5) {
     element("path", { d: `M${gaugeX(value)} ${value === 1 ? 18 : 30}V36` }, find(".gauge .ticks"));
-    element("text", { x: gaugeX(value), y: 48 }, find(".gauge .ticks")).textContent = fixed(value, value % 1 && 1);
+    element("text", { x: gaugeX(value), y: 48 }, find(".gauge .ticks")).textContent = fixed(value, Number.isInteger(value) ? 0 : 1);
   }
 
   /** Set the text of a node, if it has changed. */
@@ -63,8 +64,8 @@ export function makeDial(root) {
     set(find(".pointer"), { transform: `translate(${gaugeX(Math.min(solution.normalized, limit))} 30)` });
   }
 
-  /** Draw the hands at a moment. `writes` is whether the sentence below them is updated, too. */
-  function frame(playback, writes) {
+  /** Draw the hands at a moment. `writesText`: whether the sentence below them is updated, too. */
+  function frame(playback, writesText) {
     const { phase, plainPhase } = playback;
     const degrees = (angle) => ((angle % TURN) * 360) / TURN;
     const lead = ((phase - plainPhase) / TURN) % 1; // turns by which the machine's hand is ahead
@@ -76,7 +77,7 @@ export function makeDial(root) {
         "stroke-dasharray": `${Math.abs(lead)} 1`,
       },
     });
-    if (writes) write(find(".verdict"), leadSentence(playback));
+    if (writesText) write(find(".verdict"), leadSentence(playback));
   }
 
   return { machine, frame };

@@ -1,5 +1,6 @@
 // The drawing: pure functions from a machine and its state to lengths, outlines and attributes. No page, no clock, no events.
-// Lengths are centimetres of the picture; x points to the right, and y up from the floor.
+// Lengths are centimetres of the picture; x points to the right, and y up from the floor. `g` is the geometry from `layout`.
+// Numbers without a name are gaps and sizes that keep parts and letters clear of each other.
 
 import { fill } from "../components/sentences.js";
 import { FORMULAS } from "./formulas.js";
@@ -143,6 +144,7 @@ export function verticalForces(values, g, shift) {
  */
 export function coil(selector, from, to, y, height) {
   const turns = 10, lead = clamp((to - from) / 8, 0, 3), across = (to - from - 2 * lead) / turns / 2;
+  // Each turn: draw a strand of this path, then move past the strand of the other path.
   const strands = (rise) => `l${across} ${-rise}m${across} ${rise}`.repeat(turns);
   return {
     [`${selector} .front`]: { d: `M${from} ${-y}h${lead}v${height}${strands(2 * height)}v${-height}H${to}` },
@@ -194,7 +196,10 @@ export function rollerPaths(shape, R) {
 /** The names of the three rollers' shapes. */
 export const rollerWords = (parameters) => ROLLERS.map((name) => WORDS.bodies[shapeOf(parameters[`beta_${name}`])]);
 
-/** The names of the bodies. If both lower rollers have the same shape, their names contain their places. */
+/**
+ * The names of the bodies. If both lower rollers have the same shape, their names contain the words left and right. Otherwise the
+ * name of a lower roller with the shape of the top roller contains the word lower.
+ */
 export function bodyNames(parameters) {
   const words = WORDS.bodies, [left, right, top] = rollerWords(parameters);
   const lowerName = (side, body) => {

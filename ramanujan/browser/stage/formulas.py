@@ -18,7 +18,7 @@ SHAPE_FACTORS = {"hoop": float(model.HOOP), "cylinder": float(model.SOLID_CYLIND
 
 
 def formulas() -> dict[str, Any]:
-    """Return every expression that the stage evaluates, by name, for rollers of any shape; `javascript` prints them."""
+    """Return name → expression for every expression that the stage evaluates, for rollers of any shape."""
     shape_factors = {name: sp.Symbol(f"beta_{name}", positive=True) for name in SHAPE_FACTORS}
     bodies = machine(**shape_factors)
     eliminated = eliminate(bodies)
@@ -27,7 +27,7 @@ def formulas() -> dict[str, Any]:
     # Exact fractions of the decimals in the source text, such as 1/4 for 0.25.
     per_radius, gap, g = (sp.Rational(str(number)) for number in (SPACING_PER_RADIUS, SPACING_GAP, GRAVITY))
     spacing = per_radius * R + gap
-    accelerations = {X.diff(t, 2): eliminated.X_from_phi, Phi.diff(t, 2): eliminated.Phi_from_phi}
+    accelerations = {X.diff(t, 2): eliminated.X_ddot_from_phi_ddot, Phi.diff(t, 2): eliminated.Phi_ddot_from_phi_ddot}
     # φ has no drift, so φ̈ = −Ω²φ at all times.
     oscillation = {phi.diff(t, 2): -(Omega**2) * phi}
     total = sum(body.mass for body in bodies.bodies)

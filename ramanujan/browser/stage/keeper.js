@@ -15,12 +15,12 @@ const owners = new Map(); // page and prefix → the clock to which the address 
  * change, `send` is called with the view, which `VIEW` in __init__.py describes.
  */
 export function makeKeeper(stage, { clock: name, address_prefix: prefix, layers: defaultLayers, compact }, send, signal) {
-  // Only one clock of a page may write names with the same prefix.
+  // Only one clock of a page may write the names with this prefix.
   const place = `${location.pathname} ${prefix}`, isOwner = (owners.get(place) ?? name) === name;
   const settings = isOwner ? dom.settings() : new URLSearchParams();
   const stages = () => [...stage.clock.stages];
   const setting = (key) => settings.get(prefix + key);
-  let active = false; // whether this stage writes the address
+  let isWriting = false; // whether this stage writes the address
   owners.set(place, name); // the next stop of the lesson has a new clock
 
   function write() {
@@ -33,12 +33,12 @@ export function makeKeeper(stage, { clock: name, address_prefix: prefix, layers:
     // Name, value and default of each setting in the address.
     const view = [["speed", speed, 1], ["from", from, "ground"], ["paused", playing ? "" : turns.join(), ""]];
     if (!compact) view.push(["layers", layers, join(defaultLayers)]);
-    if (active) dom.keep(view.map(([key, ...values]) => [prefix + key, ...values]));
+    if (isWriting) dom.writeSettings(view.map(([key, ...values]) => [prefix + key, ...values]));
   }
 
   const writeLater = debounce(PAUSE, write, signal);
   return {
-    /** The address's settings of the clock. */
+    /** The speed and the reference frame in the address, or their defaults. */
     clock: () => ({
       speed: SPEEDS.find((speed) => String(speed) === setting("speed")) ?? 1,
       seenFrom: setting("from") === "block" ? "block" : "ground",
@@ -52,17 +52,17 @@ export function makeKeeper(stage, { clock: name, address_prefix: prefix, layers:
     paused() {
       const start = 2 * stages().indexOf(stage); // two numbers for each stage on the clock
       const turns = setting("paused")?.split(",").slice(start, start + 2).map(Number) ?? [];
-      active = turns.length === 2 && turns.every((turn) => Math.abs(turn) < 1e6);
-      return active ? turns.map((turn) => turn * TURN) : null;
+      isWriting = turns.length === 2 && turns.every((turn) => Math.abs(turn) < 1e6);
+      return isWriting ? turns.map((turn) => turn * TURN) : null;
     },
     /** Send the view after a pause, without writing a new address. */
     send: writeLater,
     /** Write a change by a person into the address after a pause. */
     set() {
-      active = true;
+      isWriting = true;
       writeLater();
     },
     /** Update the address if it contains this stage's view, because a person has changed the view or the address paused it. */
-    update: () => active && stage.keeper.set(),
+    update: () => isWriting && stage.keeper.set(),
   };
 }

@@ -1,5 +1,5 @@
 // The layers with a tick box: energy bars by body, velocity arrows, horizontal forces, weights and normal forces, traces of the
-// rims, coordinates.
+// rims, coordinates. Lengths are centimetres of the picture.
 
 import { fill, fixed, number, withUnit } from "../components/sentences.js";
 import { drawCoordinates } from "./coordinates.js";
@@ -15,10 +15,15 @@ import { WORDS } from "./texts.js";
 
 const TRACE_POINTS = 90;
 const PERIOD_POINTS = 24; // states of a period at which the largest speed and force are sampled
+const LONGEST = { speed: 1.5, force: 1.8 }; // length of the longest arrow, in radii of a roller
+const SMALLEST_RADIUS = 8; // cm, the least unit of these lengths, so that the arrows of small rollers are visible
+const GAP = 1.2; // cm between an arrow and its label
+const LABEL_WIDTH = 15; // cm, at least the width of the longest label of `drawRolling`
 
 export function makeLayers(root) {
   const find = finder(root), layers = layerNames(root);
   // `maxima` has the largest value of each kind of arrow, and `unitLengths` the length of an arrow of one unit [cm].
+  // `place` is the geometry from `layout`; `measure` determines both when a layer first needs them.
   let shown = new Set(), place = null, maxima, unitLengths, data = {}, seenFrom = "ground", measure = null, isLayered = false;
 
   const [bars, names, shares] = [".bar i", ".legend span", ".legend b"].map((each) => [...root.querySelectorAll(each)]);
@@ -57,7 +62,7 @@ export function makeLayers(root) {
   /** Set the scales of the arrows, cm per m/s and cm per newton, from the largest speed and forces of a period. */
   function findScales(states) {
     const largest = (values) => Math.max(...states.map((known) => Math.max(...values(known).map(Math.abs)))) || 1;
-    const size = Math.max(place.R, 8); // cm, the unit of the arrows' lengths
+    const size = Math.max(place.R, SMALLEST_RADIUS);
     const strengths = (forces) => Object.values(forces).map(({ newtons }) => newtons);
     const speed = largest((known) => BODIES.map((name) => velocity(name, known)));
     const force = largest((known) => strengths(horizontalForces(known, place, 0)));
@@ -68,16 +73,21 @@ export function makeLayers(root) {
     const load = largest((known) => ROLLERS.map((name) => FORMULAS.normal_force[`${name}_block`](known)));
     const total = largest((known) => strengths(verticalForces(known, place, 0)));
     maxima = { speed, force, weight: pair / 2 };
+    // The two arrows in a lower roller fit into its diameter, the arrow in the block into its lower step, and the arrow at the
+    // floor into the view.
     const weight = Math.min((1.9 * place.R) / pair, place.deck / load, (0.7 * place.view.top) / total);
-    unitLengths = { speed: (1.5 * size) / speed, force: (1.8 * size) / force, weight };
+    unitLengths = { speed: (LONGEST.speed * size) / speed, force: (LONGEST.force * size) / force, weight };
   }
 
   /** Draw a scale for each kind of arrow: an arrow of a round value, with the value. */
   function drawScales() {
-    const x = place.view.left + 2, above = place.slab.bottom + place.thick, row = Math.max(1, place.R / 10);
-    const first = Math.min(above + 20 * row, place.view.top - 3.5), step = (first - above - 9 * row) / 2;
-    const second = first - step, head = headOf(place.R);
-    const upright = x + 1.8 * Math.max(place.R, 8) + 0.09 * (place.view.right - place.view.left);
+    const { view } = place, x = view.left + 2, head = headOf(place.R);
+    // The speed's scale is at the height `first`, between the slab's marks and the top of the view; the force's is below it.
+    const slabTop = place.slab.bottom + place.thick, row = Math.max(1, place.R / 10);
+    const first = Math.min(slabTop + 20 * row, view.top - 3.5), lowest = slabTop + 9 * row;
+    const second = (first + lowest) / 2;
+    // The weight's scale is to the right of the longest force and its label, whose size grows with the view.
+    const upright = x + LONGEST.force * Math.max(place.R, SMALLEST_RADIUS) + 0.09 * (view.right - view.left);
     const scales = {
       speed: ["m/s", (length) => [velocityArrow(x, first, length, head), x + length, first]],
       force: ["N", (length) => [forceArrow(x, second, length, head), x + length, second]],
@@ -92,7 +102,7 @@ export function makeLayers(root) {
     }
   }
 
-  function frame(known, shift, write) {
+  function frame(known, shift, writesText) {
     if (isLayered || seenFrom === "block") measure?.();
     const origin = frameValue(FORMULAS.displacement, known, seenFrom);
     if (shown.has("traces")) set(find(".traces"), { transform: `translate(${(origin - shift) * CM})` });
@@ -101,7 +111,7 @@ export function makeLayers(root) {
     if (shown.has("forces")) drawForces(known, shift);
     if (shown.has("weights")) drawAll("weights", verticalForces(known, place, shift), unitLengths.weight, true);
     if (shown.has("coordinates")) drawCoordinates(find(".coordinates"), known, place, shift);
-    if (shown.has("energy")) drawEnergy(known, write);
+    if (shown.has("energy")) drawEnergy(known, writesText);
   }
 
   function drawArrows(known, shift) {
@@ -119,8 +129,8 @@ export function makeLayers(root) {
       const y = middle + (i - 1) * place.R, length = formula(known) * unitLengths.speed, side = length < 0 ? -1 : 1;
       draw("rolling", point, "hoop", velocityArrow(x, y, length, headOf(place.R)) || `M${x} ${-y}h0.01`); // WebKit enlarges the dot of h0
       // A label of an arrow to the left must begin within the view.
-      set(points[point], { x: side < 0 ? Math.max(x + length - 1.2, place.view.left + 15) : x + length + 1.2, y: -y });
-      // The label would jump when the arrow changes its direction.
+      set(points[point], { x: side < 0 ? Math.max(x + length - GAP, place.view.left + LABEL_WIDTH) : x + length + GAP, y: -y });
+      // The label of a short arrow would jump when the arrow changes its direction.
       const visibility = formula !== FORMULAS.rolling.contact && Math.abs(length) < 1.5 ? "hidden" : "";
       Object.assign(points[point].style, { textAnchor: side < 0 ? "end" : "start", visibility });
     }
@@ -142,12 +152,12 @@ export function makeLayers(root) {
       draw(layer, name, body, forceArrow(x, y, newtons * scale, Math.min(headOf(place.R), 1.8), upright));
   }
 
-  function drawEnergy(known, write) {
+  function drawEnergy(known, writesShares) {
     const energies = [...BODIES.map((name) => FORMULAS.kinetic_energy[name](known)), FORMULAS.potential_energy(known)];
     const total = energies.reduce((sum, energy) => sum + energy, 0) || 1;
     energies.forEach((energy, i) => {
       bars[i].style.width = `${(100 * energy) / total}%`;
-      if (write) shares[i].textContent = withUnit(fixed(Math.round((100 * energy) / total), 0), "%");
+      if (writesShares) shares[i].textContent = withUnit(fixed(Math.round((100 * energy) / total), 0), "%");
     });
   }
 

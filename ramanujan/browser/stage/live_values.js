@@ -24,15 +24,15 @@ export class LiveValues {
 
   /** The parameters that the visitor has changed, by name. */
   values() {
-    const set = {}, received = this.received();
+    const changed = {}, received = this.received();
     for (const [key, { parameter, scale }] of Object.entries(this.watch)) {
       const slider = dom.slider(key);
-      if (slider && !dom.shows(slider, received[parameter] / scale, received)) set[parameter] = dom.value(slider) * scale;
+      if (slider && !dom.shows(slider, received[parameter] / scale, received)) changed[parameter] = dom.value(slider) * scale;
     }
     const compression = this.drawn ?? this.unsent;
-    if (compression !== null) set.compression = compression;
-    this.seen = JSON.stringify(set);
-    return set;
+    if (compression !== null) changed.compression = compression;
+    this.seen = JSON.stringify(changed);
+    return changed;
   }
 
   /** Read the sliders, once a frame; return whether a value has changed. Send x₀, unless the server is away. */

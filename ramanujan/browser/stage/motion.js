@@ -8,7 +8,10 @@ export const mapValues = (object, change) =>
   Object.fromEntries(Object.entries(object).map(([key, value]) => [key, change(value, key)]));
 export const clamp = (value, least, most) => Math.min(most, Math.max(least, value));
 
-/** Return Ω, √(k/m), Ω²m/k, a + b·t + c·cos Ωt + d·sin Ωt for each coordinate, and the velocity of the centre of mass. */
+/**
+ * Return the solution: Ω, √(k/m) and Ω²m/k; { a, b, c, d } of a + b·t + c·cos Ωt + d·sin Ωt for each coordinate; and the velocity
+ * of the centre of mass.
+ */
 export function solve(parameters, initial) {
   const Omega = FORMULAS.natural_frequency(parameters);
   const start = initial ?? { X: 0, phi: FORMULAS.released_angle(parameters), Phi: 0, X_dot: 0, phi_dot: 0, Phi_dot: 0 };

@@ -21,8 +21,8 @@ const CHARACTER = 0.54; // width of a character of the ruler's labels, at most, 
  *
  * geometry(parameters)                              draw a new radius or shape of a body
  * machine({ parameters, solution, data, playback })  draw any new parameter or computed motion
- * frame({ known, playback, shift, write })           draw a frame: known = parameters, state, Omega; shift [m] of the view;
- *                                                   write: whether the running numbers are updated, too
+ * frame({ known, playback, shift, writesText })      draw a frame: known = parameters, state, Omega; shift [m] of the view;
+ *                                                   writesText: whether the running numbers are updated, too
  * show(layers)                                      show this set of layers
  * ghosts(states)                                    draw copies of the machine in these states, for reduced motion
  * collision(known)                                  return the end of the motion in this state, or null
@@ -34,7 +34,9 @@ export function makePicture(root, { compact, dials, narrow, limits, label }, sig
   const inMoving = finder(moving), layers = makeLayers(root), dial = makeDial(root);
   const sizes = new ResizeObserver(fitText);
   signal.addEventListener("abort", () => sizes.disconnect());
-  let place = null, shifted = 0, trailPhase = 0; // trailPhase: of the last position in the trail
+  let place = null; // the geometry from `layout`
+  let shifted = 0; // cm, the shift of the view in the last frame
+  let trailPhase = 0; // of the last position in the trail
   let floorShown = { left: 0, right: 0, character: 0 }; // the visible ends, and the width of a character below them
 
   host.classList.toggle("compact", compact);
@@ -82,7 +84,7 @@ export function makePicture(root, { compact, dials, narrow, limits, label }, sig
     layers.machine(parameters, solution, data, clock.seenFrom);
   }
 
-  function frame({ known, playback, shift, write }) {
+  function frame({ known, playback, shift, writesText }) {
     const plain = known.plain * CM;
     put(inMoving, positions(known, place, shift));
     put(find, {
@@ -93,8 +95,8 @@ export function makePicture(root, { compact, dials, narrow, limits, label }, sig
     if (shift * CM !== shifted) slideFloor(svg, (shifted = shift * CM), floorShown);
     drawTrail(known, playback.phase, shift);
     if (playback.computed) drawComputed(known, playback, shift);
-    layers.frame(known, shift, write);
-    dial.frame(playback, write);
+    layers.frame(known, shift, writesText);
+    dial.frame(playback, writesText);
   }
 
   /** Draw faint outlines of the last positions; none after a jump in time, and none while the machine is paused. */

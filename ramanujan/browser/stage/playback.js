@@ -13,7 +13,7 @@ export class Playback {
   startPhase = 0; // the plain mass's phase when both hands started together
   keepsAngle = false; // whether a change of the machine keeps the angle between the hands
   offset = NO_OFFSET;
-  exit = null; // the phase of the first collision, if a person has moved the playback beyond it
+  collisionPhase = null; // of the first collision, if a person has moved the playback beyond it
 
   /**
    * Set the machine: its parameters and solution, `samples` that replace the exact motion, a `computed` motion to compare with
@@ -22,7 +22,7 @@ export class Playback {
   setMachine({ parameters, solution, samples, computed, collision, seenFrom }) {
     const ratio = this.solution && this.solution.Omega / this.solution.plain;
     Object.assign(this, { parameters, solution, samples, computed, collision, seenFrom });
-    this.exit = null;
+    this.collisionPhase = null;
     // The hands compare the two frequencies, so they start together again when the ratio of these changes.
     const hasNewRatio = ratio !== solution.Omega / solution.plain;
     if (!this.keepsAngle && hasNewRatio) this.plainPhase = this.startPhase = this.phase;
@@ -54,7 +54,7 @@ export class Playback {
 
   /** The present state: no later than the end of the motion. */
   now() {
-    return this.at(this.exit === null ? this.phase : Math.min(this.phase, this.exit));
+    return this.at(this.collisionPhase === null ? this.phase : Math.min(this.phase, this.collisionPhase));
   }
 
   /** The state to draw: the present one with the fading offset. */
@@ -77,7 +77,7 @@ export class Playback {
 
   reset() {
     this.phase = this.plainPhase = this.startPhase = 0;
-    this.exit = null;
+    this.collisionPhase = null;
   }
 
   /**
@@ -87,7 +87,7 @@ export class Playback {
   advance(seconds, periods) {
     this.phase += this.solution.Omega * seconds;
     this.plainPhase += this.solution.plain * seconds;
-    if (this.exit !== null && this.phase > this.exit) return this.exitReason();
+    if (this.collisionPhase !== null && this.phase > this.collisionPhase) return this.reasonAtCollision();
     if (this.phase > this.end) return "ended";
     const collision = this.collision(this.now());
     if (collision || !periods || this.phase <= TURN * periods) return collision;
@@ -100,13 +100,13 @@ export class Playback {
   goTo(phase) {
     this.plainPhase += ((phase - this.phase) * this.solution.plain) / this.solution.Omega;
     this.phase = phase;
-    this.exit = this.isPeriodic() ? null : this.findExit(phase);
-    return this.exit === null ? null : this.exitReason();
+    this.collisionPhase = this.isPeriodic() ? null : this.findCollisionPhase(phase);
+    return this.collisionPhase === null ? null : this.reasonAtCollision();
   }
 
-  /** The reason for the end of the motion just beyond the phase `exit`. */
-  exitReason() {
-    return this.collision(this.at(this.exit + SCAN)) ?? "edge";
+  /** The reason for the end of the motion just beyond the phase `collisionPhase`. */
+  reasonAtCollision() {
+    return this.collision(this.at(this.collisionPhase + SCAN)) ?? "edge";
   }
 
   /** Move both clocks to a time since release. */
@@ -119,7 +119,7 @@ export class Playback {
 
   /** Set the plain mass's phase, and derive the phase at which both hands started together. */
   setPlainPhase(plainPhase) {
-    const gained = this.solution.Omega / this.solution.plain - 1;
+    const gained = this.solution.Omega / this.solution.plain - 1; // by the machine's hand, per radian of the plain mass's hand
     this.plainPhase = plainPhase;
     this.startPhase = Math.abs(gained) > 1e-9 ? plainPhase - (this.phase - plainPhase) / gained : 0;
   }
@@ -137,7 +137,7 @@ export class Playback {
   }
 
   /** The phase of the first collision before this phase, or null. */
-  findExit(phase) {
+  findCollisionPhase(phase) {
     for (let end = SCAN; end < phase + SCAN; end += SCAN) {
       if (!this.collision(this.at(Math.min(end, phase)))) continue;
       let [inside, outside] = [end - SCAN, Math.min(end, phase)];

@@ -37,7 +37,7 @@ function compressionAfter(key, compression, [least, most]) {
  * or is cancelled, `live.isDragging` is true.
  */
 export class Slab {
-  grip = null; // { id, x, from, deformation, slack } of the pressed pointer; `from` is set when it drags
+  grip = null; // { id, x } of the pressed pointer; during its drag also { from, deformation, slack }
 
   constructor(node, stage, signal) {
     // With equal limits x₀ cannot change.
@@ -109,7 +109,7 @@ export class Slab {
     return clamp(this.stage.parameters.compression, ...this.stage.limits);
   }
 
-  /** Hold the machine at rest with the spring compressed by `wanted` [m], rounded to a step of its slider. */
+  /** Show the machine at rest with the spring compressed by `wanted` [m], rounded to a step of its slider. */
   compress(wanted, slack = 0) {
     const { limits, live, playback, parameters, voice } = this.stage, { phase, plainPhase } = playback;
     if (!live.isDragging) this.before = { compression: parameters.compression, phase, plainPhase };

@@ -17,7 +17,7 @@ import { LiveValues } from "./live_values.js";
 import { listenToControls, showControls } from "./toolbar.js";
 import { description, makeVoice, moment } from "./words.js";
 
-const STEPS = 24; // steps of the step buttons in one period
+const STEPS = 24; // presses of a step button for one period
 const TEXT_INTERVAL = 0.12; // s between two updates of the running numbers, so that they can be read
 const SHAPES = ["radius", "beta_hoop", "beta_cylinder", "beta_top"];
 
@@ -41,20 +41,20 @@ class Stage {
     if (layers.includes("coordinates")) linkTerms(root, signal);
     this.live = new LiveValues(watch, () => this.data.parameters);
     listenToControls(root, this, signal);
-    this.calm = matchMedia("(prefers-reduced-motion: reduce)");
-    this.calm.addEventListener("change", () => this.applyMotionPreference(), { signal });
-    this.clock = joinClock(clock, this, !this.calm.matches, signal);
+    this.reducedMotion = matchMedia("(prefers-reduced-motion: reduce)");
+    this.reducedMotion.addEventListener("change", () => this.applyMotionPreference(), { signal });
+    this.clock = joinClock(clock, this, !this.reducedMotion.matches, signal);
     // A slider may move, and Streamlit may draw it after the stage.
     observe(document.body, { childList: true, subtree: true, attributeFilter: ["value"] }, wake, signal);
     const sendView = (view) => component.data.sends_view && component.setTriggerValue("view", view);
     this.keeper = makeKeeper(this, options, sendView, signal);
     signal.addEventListener("abort", () => {
-      bus.forget(`seek/${stage}`);
+      bus.forget(`seek/${stage}`); // published by other components, without an owner
       bus.forget(`time/${stage}`, this);
       bus.forget(`drawn/${stage}`, this);
     });
     bus.subscribe(`seek/${stage}`, (request) => this.seek(request), { signal });
-    bus.subscribe(`story/${stage}`, (pace) => this.setLapse(pace), { signal });
+    bus.subscribe(`story/${stage}`, (screenPeriod) => this.setScreenPeriod(screenPeriod), { signal });
     bus.subscribe(`machine/${stage}`, (payload) => this.receive(payload), { signal });
     bus.subscribe(`view/${clock}`, (view) => this.follow(view), { signal });
   }
@@ -68,7 +68,8 @@ class Stage {
     this.hide(data.hide ?? []);
     this.change(() => (this.data = data));
     const { computed } = data;
-    if (before && computed && computed.run !== before.computed?.run) this.race(this.calm.matches ? null : computed.pace);
+    const isNewRun = before && computed && computed.run !== before.computed?.run;
+    if (isNewRun) this.race(this.reducedMotion.matches ? null : computed.screen_period);
     if (data.slipping && data.slipping !== before?.slipping) this.voice.announce(WORDS.slips[data.slipping]);
     if (!this.parts.hides("motion")) this.keeper.send();
     if (before) return;
@@ -95,7 +96,7 @@ class Stage {
     Object.assign(this.clock, { speed, seenFrom: from });
     this.picture.show((this.layers = new Set(layers.split(","))));
     this.change(() => this.pauseAt([turns[0] * TURN + Omega * passed, turns[1] * TURN + plain * passed]));
-    this.clock.playing = pace > 0 && !this.calm.matches;
+    this.clock.playing = pace > 0 && !this.reducedMotion.matches;
     this.showClock();
   }
 
@@ -116,22 +117,28 @@ class Stage {
     if (hidMotion !== this.parts.hides("motion")) this.playback.reset();
   }
 
-  /** Call a function that may move the bodies, and fade the picture to the new state. */
-  change(act) {
+  /**
+   * Call a function that may move the bodies, and fade the picture to the new state. Without a function, show the sliders' new
+   * values, or the new reference frame.
+   */
+  change(act = () => {}) {
     const before = this.solution && this.playback.drawn();
     act();
-    const { initial, samples, computed } = this.data, set = this.live.values(), parameters = { ...this.data.parameters, ...set };
+    const { initial, samples, computed } = this.data, changed = this.live.values();
+    const parameters = { ...this.data.parameters, ...changed };
     const solution = solve(parameters, initial), shapes = SHAPES.map((name) => parameters[name]).join();
     if (shapes !== this.shapes) this.picture.geometry(parameters);
     Object.assign(this, { parameters, solution, shapes });
     const collision = (state) => this.picture.collision({ ...parameters, ...state });
     this.playback.setMachine({ parameters, solution, samples, computed, collision, seenFrom: this.clock.seenFrom });
-    if (before && !this.calm.matches) this.playback.flowFrom(before);
+    if (before && !this.reducedMotion.matches) this.playback.flowFrom(before);
     this.picture.machine(this);
     const normalized = this.parts.hides("numbers") ? undefined : solution.normalized;
     bus.publish(`drawn/${this.name}`, { ratio: FORMULAS.mass_ratio(parameters), normalized, parameters }, this);
     this.slab.show();
-    if (!Object.keys(set).length || this.live.isDragging) this.voice.describe(description(solution));
+    // A slider's new value is described when the server has sent it. During a drag of the slab the server sends nothing.
+    const isFromServer = !Object.keys(changed).length;
+    if (isFromServer || this.live.isDragging) this.voice.describe(description(solution));
     this.showSlowing();
     this.redraw();
   }
@@ -145,7 +152,7 @@ class Stage {
   /** Advance by a number of seconds. Return whether another frame is needed. */
   advance(elapsed) {
     if (!this.solution) return false;
-    if (this.live.update()) this.change(() => {});
+    if (this.live.update()) this.change();
     const isStill = this.live.isDragging || this.parts.hides("motion");
     const running = this.clock.playing && !isStill;
     if (running) this.run(elapsed * this.pace());
@@ -156,24 +163,24 @@ class Stage {
 
   /** The speed of the playback: seconds of the machine per second of the clock. */
   pace() {
-    return this.lapse ? TURN / this.solution.plain / this.lapse : this.clock.speed * this.clock.slowing;
+    return this.screenPeriod ? TURN / this.solution.plain / this.screenPeriod : this.clock.speed * this.clock.slowing;
   }
 
-  /** Begin a story or a race, in which a period of the plain mass lasts `lapse` seconds; null ends it. */
-  setLapse(lapse) {
-    this.lapse = lapse;
-    this.root.host?.toggleAttribute("data-lapse", Boolean(lapse));
-    this.playback.keepsAngle = Boolean(lapse);
-    if (lapse) {
+  /** Begin a story or a race, in which a period of the plain mass lasts `screenPeriod` seconds on the screen; null ends it. */
+  setScreenPeriod(screenPeriod) {
+    this.screenPeriod = screenPeriod;
+    this.root.host?.toggleAttribute("data-screen-period", Boolean(screenPeriod));
+    this.playback.keepsAngle = Boolean(screenPeriod);
+    if (screenPeriod) {
       this.playback.reset();
       this.setClock({ playing: true });
     } else this.showSlowing();
   }
 
-  /** Compare a computed machine with the exact one; a period lasts `pace` seconds. Without a pace, pause at the end. */
-  race(pace) {
-    this.setLapse(pace);
-    if (pace) return;
+  /** Compare a computed machine with the exact one, as in `setScreenPeriod`. With null, pause at the end of the computed motion. */
+  race(screenPeriod) {
+    this.setScreenPeriod(screenPeriod);
+    if (screenPeriod) return;
     this.still = false;
     this.pauseAndMove((playback) => playback.goTo(playback.end));
   }
@@ -187,7 +194,7 @@ class Stage {
   run(seconds) {
     const reason = this.playback.advance(seconds, this.periods);
     if (!reason) return;
-    if (reason === "ended" && this.lapse) return this.race(null);
+    if (reason === "ended" && this.screenPeriod) return this.race(null);
     this.releaseAll();
     if (reason === "repeat") return;
     this.voice.note(WORDS[reason]);
@@ -210,8 +217,8 @@ class Stage {
   }
 
   /**
-   * Pause the clock, and move all of its stages. `move` is called with a playback, and returns the reason if the motion ends before,
-   * or null.
+   * Pause the clock, and move all of its stages. `move` is called with each playback. It returns the reason if the motion ends
+   * before the requested time, or null.
    */
   pauseAndMove(move) {
     this.clock.playing = false;
@@ -224,7 +231,7 @@ class Stage {
     }
   }
 
-  /** Pause, and go to the nearest step plus a number of steps. */
+  /** Pause, and go forward by a number of steps from the nearest step. */
   step(number) {
     this.pauseAndMove((playback) => {
       const nearest = Math.round((playback.phase / TURN) * STEPS);
@@ -251,7 +258,7 @@ class Stage {
     this.keeper.set();
     if (values.seenFrom) this.voice.announce(values.seenFrom === "block" ? WORDS.from_block : WORDS.from_ground);
     for (const stage of this.clock.stages) {
-      if (values.seenFrom && stage.solution) stage.change(() => {});
+      if (values.seenFrom && stage.solution) stage.change();
       stage.showClock();
     }
   }
@@ -269,15 +276,15 @@ class Stage {
     const { playback, dirty } = this;
     this.dirty = false; // first, because a subscriber to this frame may request another one
     this.sinceText = (this.sinceText ?? 0) + elapsed;
-    const write = this.sinceText >= TEXT_INTERVAL || dirty;
-    if (write) this.sinceText = 0;
+    const writesText = this.sinceText >= TEXT_INTERVAL || dirty;
+    if (writesText) this.sinceText = 0;
     const { shift, ...state } = playback.drawn();
     const known = { ...this.parameters, ...state, Omega: this.solution.Omega };
     const { phase, time, periods } = playback;
-    this.picture.frame({ known, playback, shift, write });
+    this.picture.frame({ known, playback, shift, writesText });
     if (dirty && this.still && !this.parts.hides("motion")) this.picture.ghosts(exposures(this.parameters, this.solution));
     this.scrubber.value = (((phase / TURN) % 1) + 1) % 1;
-    if (write) this.scrubber.setAttribute("aria-valuetext", moment(phase, time, this.parts));
+    if (writesText) this.scrubber.setAttribute("aria-valuetext", moment(phase, time, this.parts));
     bus.publish(`time/${this.name}`, { time, phase, periods, playing: this.clock.playing }, this);
     if (dirty && !this.clock.playing) this.keeper.update();
   }
@@ -285,10 +292,10 @@ class Stage {
   /** Follow the browser's preference for reduced motion: stop while it is set, and continue afterwards. */
   applyMotionPreference() {
     const wasStill = this.still;
-    this.still = this.calm.matches;
+    this.still = this.reducedMotion.matches;
     this.clock.playing = !this.still && (wasStill || this.clock.playing);
     for (const stage of this.clock.stages) stage.showClock();
-    if (this.still && this.lapse && this.data.computed) this.race(null);
+    if (this.still && this.screenPeriod && this.data.computed) this.race(null);
   }
 
   showClock() {
@@ -301,6 +308,6 @@ class Stage {
 
   showSlowing() {
     const ownPace = Math.min(1, this.period() / VISIBLE_PERIOD) * this.clock.speed;
-    this.voice.showPace(this.lapse ? this.pace() : ownPace, this.clock.speed);
+    this.voice.showPace(this.screenPeriod ? this.pace() : ownPace, this.clock.speed);
   }
 }

@@ -1,5 +1,5 @@
-// Links each body and its arrows to the terms of the same colour in the page's formulas. The pointer, a finger or the focus on
-// one of them highlights the others.
+// Links each body and its arrows to the terms of the same colour in the page's formulas. If the pointer, a finger or the focus is
+// on a body, an arrow or a term, the others are highlighted.
 
 import { dom } from "../components/streamlit_dom.js";
 import { set } from "./svg.js";

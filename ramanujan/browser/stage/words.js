@@ -13,7 +13,7 @@ export const centimetres = (metres) => withUnit(fixed(metres * 100, 2).replace(/
 
 /** A sentence about the period, and about the rate at which the hands separate. */
 export function description({ Omega, plain }) {
-  const apart = Math.abs(Omega / plain - 1);
+  const apart = Math.abs(Omega / plain - 1); // turns between the hands after a period of the plain mass
   const period = withUnit(number(TURN / Omega, 3), "s");
   if (apart < 1e-12) return fill(WORDS.together, { period });
   return fill(Omega > plain ? WORDS.faster : WORDS.slower, { period, turns: number(1 / apart, 3) });
@@ -22,7 +22,7 @@ export function description({ Omega, plain }) {
 /** A sentence about the present time, for screen readers. */
 export const moment = (phase, time, { hides }) =>
   fill(hides("numbers") ? WORDS.turned : WORDS.moment, {
-    turns: fixed(phase / TURN, 2),
+    periods: fixed(phase / TURN, 2),
     time: withUnit(fixed(time, 2), "s"),
   });
 
@@ -32,10 +32,10 @@ export const moment = (phase, time, { hides }) =>
  */
 export function makeVoice(root, { compact, parts, signal }) {
   const node = root.querySelector(".note");
-  let message = null, pace = "", described = "", announced = "";
+  let message = null, paceSentence = "", described = "", announced = "";
   const show = (sentence) => {
     message = sentence;
-    node.textContent = message ?? pace; // without a note, the pace is shown
+    node.textContent = message ?? paceSentence;
   };
   const publish = (sentence, urgent) => compact || bus.publish("announce", { sentence, urgent });
   const fade = debounce(NOTE_TIME, () => show(null), signal);
@@ -47,10 +47,10 @@ export function makeVoice(root, { compact, parts, signal }) {
     /** Show how many times as fast as in reality the machine moves, unless the reader has chosen this factor as `speed`. */
     showPace(factor, speed) {
       const slow = parts.hides("numbers") ? WORDS.in_slow_motion : WORDS.slowed;
-      pace = factor === speed ? "" : fill(factor < speed ? slow : WORDS.lapsed, { factor: number(factor, 2) });
+      paceSentence = factor === speed ? "" : fill(factor < speed ? slow : WORDS.lapsed, { factor: number(factor, 2) });
       show(message);
     },
-    /** Publish a description, unless the numbers that it contains are hidden. */
+    /** Publish a description, unless the numbers or the clocks are hidden; a description reveals both. */
     describe(sentence) {
       if (sentence === described || parts.hides("numbers") || parts.hides("clocks")) return;
       described = sentence;

@@ -19,8 +19,8 @@ SENTENCES = {
         "The slab oscillates relative to the block with a period of {period}. The machine is in step with the plain "
         "mass."
     ),
-    "moment": _("{turns} periods after release, t = {time}."),
-    "turned": _("{turns} periods after release."),
+    "moment": _("{periods} periods after release, t = {time}."),
+    "turned": _("{periods} periods after release."),
     "paused": _("Paused."),
     "playing": _("Playing."),
     "play": _("Play"),
@@ -33,8 +33,8 @@ SENTENCES = {
     "ahead": _("The machine is {turns} turns ahead after {periods} periods of the plain mass."),
     "behind": _("The machine is {turns} turns behind after {periods} periods of the plain mass."),
     "before": _("The hands are {turns} turns apart {periods} periods before they meet."),
-    "parting": _("After {turns} plain-mass periods the hands are one full turn apart."),
-    "nearly": _("Nearly in step: after {turns} plain-mass periods the hands are one full turn apart."),
+    "parting": _("After {periods} plain-mass periods the hands are one full turn apart."),
+    "nearly": _("Nearly in step: after {periods} plain-mass periods the hands are one full turn apart."),
     "in_step": _("In step: after a million periods the hands are less than {least} turns apart."),
     "counted": _(
         "Dashed: the computed machine. Period {period} of {periods}: {evaluations} evaluations of the force, {turns} "

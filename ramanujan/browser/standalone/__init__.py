@@ -62,9 +62,9 @@ def html() -> str:
         "curve_alt": escape(texts.curve_alternative(condition)),
         "curve_hint": texts.CURVE_HINT,
         "steps_heading": texts.STEPS_HEADING,
-        "steps": "".join(_steps()),
+        "steps": "".join(_write_steps()),
         "language": LANGUAGE,
-        "style": _style(),
+        "style": _write_style(),
         "policy": _write_policy(imports, script),
         "settings": json.dumps(_collect_settings(), ensure_ascii=False).replace("<", "\\u003c"),
         "imports": imports,
@@ -95,7 +95,7 @@ def _with_absolute_imports(name: str, script: str) -> str:
 
 
 def _address(script: str) -> str:
-    """Return a script as a `data:` address."""
+    """Return the `data:` address of a script."""
     return "data:text/javascript;charset=utf-8," + quote(script, safe=" !$&'()*+,-./:;=?@[]^_`{|}~>")
 
 
@@ -114,7 +114,7 @@ def _collect_settings() -> dict[str, Any]:
     return {
         "parameters": [_describe_parameter(PARAMETERS[key]) for key in (*_SLIDERS, "radius")],
         "view": [
-            {"key": parameter.name, "form": _describe_form(parameter), "ignored": parameter.message()}
+            {"key": parameter.name, "pattern": _find_pattern(parameter), "refusal": parameter.message()}
             for parameter in stages.URL_PARAMETERS
         ],
         "sentences": SENTENCES | {"unknown": address.UNKNOWN},
@@ -126,14 +126,14 @@ def _collect_settings() -> dict[str, Any]:
 
 
 def _describe_parameter(parameter: Parameter) -> dict[str, Any]:
-    """Return the range of a parameter, the heading of its box, and the message about an invalid address."""
+    """Return the range of a parameter, the heading of its box, and the message about a refused value."""
     names = ("symbol", "unit", "least", "most", "default", "step", "scale", "label")
     attributes = {name: getattr(parameter, name) for name in names}
     head = widgets.box_settings(parameter) | {"key": parameter.name} if parameter.name in _SLIDERS else None
-    return {"key": parameter.name, **attributes, "head": head, "ignored": parameter.message()}
+    return {"key": parameter.name, **attributes, "head": head, "refusal": parameter.message()}
 
 
-def _describe_form(parameter: URLParameter) -> str:
+def _find_pattern(parameter: URLParameter) -> str:
     """Return the regular expression of the valid texts of a parameter of the stage."""
     if isinstance(parameter, address.Text):
         return parameter.pattern
@@ -156,11 +156,13 @@ def _describe_curve() -> dict[str, Any]:
         "axis": re.sub("<[^>]*>", "", MASS_RATIO),
     }
     marks = {"equal": curve.equal.ratio, "unit": curve.unit.ratio}
-    limits = {"light": curve.light_limit, "heavy": float(curve.heavy_limit[-1] * curve.ratios[-1])}
+    # The asymptote for heavy rollers is a constant divided by ε.
+    heavy_constant = float(curve.heavy_limit[-1] * curve.ratios[-1])
+    limits = {"light": curve.light_limit, "heavy": heavy_constant}
     return {"range": first_page.CURVE_RANGE, **limits, **marks, "words": words}
 
 
-def _steps() -> Iterator[str]:
+def _write_steps() -> Iterator[str]:
     """Yield the six steps of the derivation, with their results in MathML."""
     for step in first_page.summary(None):
         results = "".join(f"<div>{_mathml(result)}</div>" for result in step.results)
@@ -179,8 +181,8 @@ def _with_formulas(text: str) -> str:
 
 
 def _mathml(latex: str) -> str:
-    """Return a formula as MathML, with large fractions. A placeholder replaces m′, which the converter would split."""
-    # Chromium adds a wide space beside parentheses that can grow. These formulas have none around a fraction.
+    """Return a formula as MathML, with large fractions. A placeholder protects m′, which the converter would split."""
+    # Chromium adds a wide space beside parentheses that can grow. These formulas do not need such parentheses.
     fixed = latex.replace(r"\left", "").replace(r"\right", "")
     converted = convert(fixed.replace(r"\frac", r"\dfrac").replace("m'", _PLACEHOLDER))
     converted = converted.replace(f"<mi>{_PLACEHOLDER}</mi>", "<mi>𝑚′</mi>")
@@ -190,7 +192,7 @@ def _mathml(latex: str) -> str:
     return _SIGN.sub(r'\1<mo form="prefix">&#x02212;</mo>', converted)
 
 
-def _style() -> str:
+def _write_style() -> str:
     """Return the style sheet with the colours of both themes and the fonts in it."""
     contents = modules.collect_files()
     rules = re.findall(r"@font-face \{.*?\n\}", contents["components/page.css"].decode(), re.DOTALL)
@@ -212,8 +214,9 @@ def _embed_font(content: bytes) -> str:
 
 
 def _colors(theme: str) -> str:
-    """Return a theme's colours as custom properties with Streamlit's names."""
-    colors = modules.theme_colors(theme, modules.collect_files()["markup.js"].decode() + _page_css())
+    """Return the colours of a theme that the file uses, as custom properties with Streamlit's names."""
+    style_sheets = modules.collect_files()["markup.js"].decode() + _page_css()
+    colors = modules.theme_colors(theme, style_sheets)
     colors["--st-widget-border-color"] = colors["--st-border-color"]
     return " ".join(f"{name}: {color};" for name, color in colors.items())
 

@@ -18,7 +18,7 @@ export function drawCurve(svg, { range, light, heavy, equal, unit, words, shape 
   const y = (value) => BOX.bottom - (value / top) * (BOX.bottom - BOX.top);
   const value = (ratio) => FORMULAS.normalized_frequency_squared({ ...shape, m: 1, m_prime: ratio });
   const ratios = Array.from({ length: POINTS + 1 }, (_, i) => least * (most / least) ** (i / POINTS));
-  const path = (some, height) => `M${some.map((ratio) => `${x(ratio).toFixed(2)} ${y(height(ratio)).toFixed(2)}`).join("L")}`;
+  const path = (points, height) => `M${points.map((ratio) => `${x(ratio).toFixed(2)} ${y(height(ratio)).toFixed(2)}`).join("L")}`;
 
   const add = (name, attributes, text = "") => Object.assign(element(name, attributes, svg), { textContent: text });
 
@@ -35,7 +35,7 @@ export function drawCurve(svg, { range, light, heavy, equal, unit, words, shape 
   add("text", { class: "axis", x: (BOX.left + BOX.right) / 2, y: BOX.bottom + 34 }, words.axis);
   add("text", { x: 4, y: BOX.top + 2 }, "Ω²m/k");
 
-  // The curve with its limits. Above the first of these points, the asymptote is far from the curve.
+  // The curve with its limits. The asymptote heavy/ε begins near the curve.
   const low = ratios.filter((ratio) => heavy / ratio < 0.75 * light);
   add("path", { class: "limit", d: path([least, most], () => light) });
   add("path", { class: "limit", d: path(low, (ratio) => heavy / ratio) });

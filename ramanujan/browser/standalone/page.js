@@ -63,11 +63,12 @@ function setRatio(ratio) {
 function readSettings() {
   const isLinked = location.href.includes("#");
   const start = isLinked ? dom.settings() : new URLSearchParams(document.documentElement.dataset.standalone);
-  const isValid = (text, { form, ...range }) => (form ? RegExp(`^(${form})$`).test(text) : isInRange(readNumber(text), range));
-  const known = new Map([...parameters, ...view].map((each) => [each.key, each])), messages = new Set();
+  const isValid = (text, { pattern, ...range }) =>
+    pattern ? RegExp(`^(${pattern})$`).test(text) : isInRange(readNumber(text), range);
+  const known = new Map([...parameters, ...view].map((setting) => [setting.key, setting])), messages = new Set();
   for (const [key, text] of [...start]) {
     if (known.has(key) && isValid(text, known.get(key))) continue;
-    messages.add(known.get(key)?.ignored ?? sentences.unknown);
+    messages.add(known.get(key)?.refusal ?? sentences.unknown);
     start.delete(key);
   }
   if (String(start) !== location.hash.slice(1)) history.replaceState(history.state, "", `#${start}`);

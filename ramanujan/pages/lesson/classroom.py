@@ -16,7 +16,7 @@ from functools import partial
 import streamlit as st
 
 from ramanujan import lesson
-from ramanujan.lesson.class_codes import group_code, split_key
+from ramanujan.lesson.class_codes import format_code, split_key
 from ramanujan.lesson.class_record import write_csv, write_spreadsheet
 from ramanujan.lesson.class_states import END
 from ramanujan.lesson.classes import DAY, LIFETIMES, ClassError, ClassQuestion, Phase, Seat, SeatError, Vote, shared
@@ -351,7 +351,7 @@ def _show_stop(key: str, stop: Stop) -> None:
 
 def _draw_foot(key: str, code: str) -> None:
     """Draw the code, links to the other screens, and the controls for seats, results and the end of the class."""
-    st.text(group_code(code), width="content")
+    st.text(format_code(code), width="content")
     st.link_button(
         _("Open the wall"),
         address.link({"class": code, "wall": "on", "view": "projector"}).geturl(),
@@ -441,7 +441,7 @@ def _draw_waiting() -> None:
         st.rerun()
     with st.container(key="class_phone"):
         st.html(HIDDEN_DRAWER)
-        st.title(_("Class {code}").format(code=group_code(code)), anchor=False)
+        st.title(_("Class {code}").format(code=format_code(code)), anchor=False)
         st.info(class_session.read_refusal())
         _draw_leave_button()
 
@@ -500,7 +500,7 @@ def _visible_machine(question: ClassQuestion | None) -> tuple[str, bool] | None:
 def _draw_question(seat: Seat, question: ClassQuestion, chosen: str | None) -> None:
     """Draw the current question of the class, or how to go on before the first question and after the last."""
     if question.stop is None:
-        st.title(_("Class {code}").format(code=group_code(seat.code)), anchor=False)
+        st.title(_("Class {code}").format(code=format_code(seat.code)), anchor=False)
         st.info(_("You have joined the class. The first question will appear here."))
         if not question.is_known:
             st.warning(class_results.unknown_stop_sentence())

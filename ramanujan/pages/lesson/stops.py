@@ -73,7 +73,7 @@ def set_prediction(stop: Stop, option: str | None, phase: str) -> None:
 def needs_confirmation(stop: Stop) -> bool:
     """Return whether the reader has to confirm that a prediction stays unchecked. This is True only once for a stop."""
     _option, phase = progress.read_prediction(stop)
-    is_unchecked = phase == progress.PREDICTED and class_session.find_phase(stop) is None
+    is_unchecked = phase == progress.PREDICTED and class_session.find_class_phase(stop) is None
     if not is_unchecked or confirmed_stop() == stop.id:
         return False
     st.session_state[_CONFIRMED] = stop.id
@@ -102,7 +102,7 @@ def _open_sliders() -> None:
 
 def is_answered(stop: Stop) -> bool:
     """Return whether the page may show the right answer: on the reader's request, or after the class has seen it."""
-    class_phase = class_session.find_phase(stop)
+    class_phase = class_session.find_class_phase(stop)
     if class_phase is not None:
         return class_phase == Phase.SOLVED
     _option, phase = progress.read_prediction(stop)
@@ -111,7 +111,7 @@ def is_answered(stop: Stop) -> bool:
 
 def draw(stop: Stop, number: int) -> None:
     """Draw the stop with this number."""
-    class_phase = class_session.find_phase(stop)
+    class_phase = class_session.find_class_phase(stop)
     chosen, phase = progress.read_prediction(stop)
     if class_phase is not None:
         # The lecturer's page follows the phase of the class and ignores the lecturer's own prediction.

@@ -8,7 +8,7 @@ import streamlit as st
 
 from ramanujan import lesson
 from ramanujan.browser.roles import container
-from ramanujan.lesson.class_codes import group_code
+from ramanujan.lesson.class_codes import format_code
 from ramanujan.lesson.class_states import END
 from ramanujan.lesson.classes import ClassError, ClassQuestion, Phase, shared
 from ramanujan.lesson.stop import Stop
@@ -113,7 +113,7 @@ def _follow_class(code: str) -> None:
             if current.reached == Phase.ASKED:
                 st.markdown(f"**{class_results.answers_sentence(current)}**", width="content")
             url = address.link_for_others({})
-            st.text(f"{url.netloc}{url.path}  ·  {group_code(code)}", width="content")
+            st.text(f"{url.netloc}{url.path}  ·  {format_code(code)}", width="content")
 
 
 def _draw_results(code: str) -> None:
@@ -141,5 +141,5 @@ def _draw_invitation(code: str) -> None:
         # Use plain text, because the address comes from the browser.
         st.container(key="class_address").text(f"{url.netloc}{url.path}")
         st.markdown(_("then choose **Class** and type"))
-        st.container(key="class_letters").text(group_code(code))
+        st.container(key="class_letters").text(format_code(code))
         class_results.warn_of_local_address()

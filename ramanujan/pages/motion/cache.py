@@ -11,7 +11,7 @@ import streamlit as st
 from ramanujan import Oscillator, drawn_spacing
 from ramanujan.derivation.energies import PARTS
 from ramanujan.figures import EncodedFigure
-from ramanujan.figures.motion import Panel, TimeCurve, draw_phase_plane, draw_time_panels, roomy
+from ramanujan.figures.motion import Panel, TimeCurve, draw_phase_plane, draw_time_panels, widen_range
 from ramanujan.record import Record
 from ramanujan.record import record as take_record
 from ramanujan.shell import theme
@@ -171,7 +171,7 @@ def _body_curve(body: str, values: np.ndarray, colors: Mapping[str, str], **look
 
 
 def _panel(title: str, unit: str, curves: list[TimeCurve]) -> Panel:
-    return Panel(title, unit, curves, roomy([curve.values for curve in curves]))
+    return Panel(title, unit, curves, widen_range([curve.values for curve in curves]))
 
 
 def _over_time(motion: Record, panels: list[Panel], colors: Mapping[str, str]) -> EncodedFigure:

@@ -25,8 +25,8 @@ STARTS = (5.0, 2.0)
 """Mass ratios with which a story may begin. The second is used if 5m exceeds the largest mass of a roller."""
 OPENING = 2
 """Number of scenes until the masses first have the ratio ε*. The later scenes are the same in every story."""
-PACE = 0.6
-"""Duration of a period of the plain mass in the story [s]."""
+SCREEN_PERIOD = 0.6
+"""Duration of a period of the plain mass on the screen during the story [s]."""
 _TOO_HEAVY = 1.25
 """A mass ratio about as far above ε* as equal masses are below. The slider has a step at this ratio."""
 STILL_PERIODS = 2
@@ -108,7 +108,7 @@ def collect_data() -> dict[str, Any]:
         "ratio": RATIO,
         "openings": [list(map(asdict, scenes[:OPENING])) for scenes in stories],
         "rest": list(map(asdict, stories[0][OPENING:])),
-        "pace": PACE,
+        "screen_period": SCREEN_PERIOD,
         "stills": list_stills(),
         "words": write_words(),
     }
@@ -118,7 +118,7 @@ def write_words() -> dict[str, str]:
     """Return the words of the story's button in the format of `components.story`."""
     return {
         "ratio": "ε = m′/m = {ratio}",
-        "there": _("In step: ε = {exactly}. So {number}.").format(
+        "in_step": _("In step: ε = {exactly}. So {number}.").format(
             exactly=cache.unit_ratio(), number=cache.completed_square()
         ),
         "mark": _("in step"),

@@ -79,7 +79,7 @@ def draw_machine() -> None:
     computed = None
     if address.current(TRIES):
         computed = downsampling.stage_payload(cache.run(*_last_attempt(), PERIODS, "float64"))
-        computed |= {"run": st.session_state.get(_RUN, 0), "pace": _ANIMATION / PERIODS}
+        computed |= {"run": st.session_state.get(_RUN, 0), "screen_period": _ANIMATION / PERIODS}
     payload = stage.payload(sidebar.oscillator(), sidebar.compression(), computed=computed)
     stages.mount(payload, key="stage_race", label=_("The exact motion"), clock="speed", compact=True, layers=())
 

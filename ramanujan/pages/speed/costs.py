@@ -6,7 +6,7 @@ from collections.abc import Callable
 import numpy as np
 import streamlit as st
 
-from ramanujan.accuracy.work_precision import DTYPES, STEPS_PER_PERIOD, cheapest
+from ramanujan.accuracy.work_precision import DTYPES, STEPS_PER_PERIOD, find_cheapest_runs
 from ramanujan.figures import speed as figures
 from ramanujan.integrators import METHODS
 from ramanujan.numerals import filled, number, percent
@@ -97,7 +97,7 @@ def draw_diagram(periods: int, by: str, tolerance: float) -> None:
     tolerance : error that the visitor allows, relative to the amplitude
     """
     curves, closed = cache.diagram(periods), cache.closed_form(periods)
-    ranked = cheapest(curves, tolerance, by)
+    ranked = find_cheapest_runs(curves, tolerance, by)
     sentence = verdicts.recommend_run(ranked, tolerance, by, closed)
     words, figure = columns("costs")
     with words:

@@ -7,7 +7,7 @@ import numpy as np
 import streamlit as st
 
 from ramanujan import Oscillator
-from ramanujan.accuracy.choices import DIGITS, HEIGHT, STATES
+from ramanujan.accuracy.choices import DIGITS, HEIGHT, STATE_COUNT
 from ramanujan.accuracy.extremes import FORMS, Sweep
 from ramanujan.accuracy.measurement import REFERENCE
 from ramanujan.browser.roles import container
@@ -146,7 +146,7 @@ def list_choices(sentences: Sequence[str]) -> None:
         **_describe_curves(choices),
         **_describe_rounding(),
         **{f"kept_{name}": factor for name, factor in choices.speedups.items()},
-        "n": STATES,
+        "n": STATE_COUNT,
     }
     with container("list", "choices" if sentences == _CHOICES[:_FIRST] else "choices_on"):
         st.markdown(filled(template, **slots))

@@ -7,7 +7,7 @@ from itertools import pairwise
 import numpy as np
 
 from ramanujan.accuracy.choices import ClosedForm
-from ramanujan.accuracy.extremes import FORMS, INACCURATE, OVERFLOW, PLAUSIBLE, RIGHT, ZERO, Stretch, Sweep
+from ramanujan.accuracy.extremes import FORMS, INACCURATE, OVERFLOW, RIGHT, WRONG, ZERO, Stretch, Sweep
 from ramanujan.accuracy.general_solvers import SOLVERS, EigenSweep
 from ramanujan.accuracy.phase import PhaseErrors
 from ramanujan.accuracy.work_precision import STEPS_PER_PERIOD, CheapestRun, WorkPrecision
@@ -237,7 +237,7 @@ _RETURNS = {
     RIGHT: _("right to {error} ulp"),
     ZERO: "0",
     OVERFLOW: _("∞ or NaN"),
-    PLAUSIBLE: _("{value}: wrong"),
+    WRONG: _("{value}: wrong"),
     INACCURATE: _("loses digits"),
 }
 """Verdict → description of the returned value."""
@@ -248,7 +248,7 @@ def _describe_value(sweep: Sweep, stretch: Stretch) -> str:
     values = sweep.value[(sweep.x >= stretch.first) & (sweep.x <= stretch.last)]
     if stretch.verdict == ZERO and np.signbit(values).all():
         return "−0"
-    median = number(float(np.median(values)), 4) if stretch.verdict == PLAUSIBLE else ""
+    median = number(float(np.median(values)), 4) if stretch.verdict == WRONG else ""
     return _RETURNS[stretch.verdict].format(value=median, error=number(sweep.worst_right_ulp))
 
 

@@ -184,7 +184,7 @@ def factored_cubes(number: int) -> str:
 def as_norm(p: int, q: int) -> str:
     """Return, as LaTeX, the norm x² + 3y² of the target p/q, and its relation to the discriminant."""
     target = Fraction(p, q)
-    x, y = number_theory.norm_form(target)
+    x, y = number_theory.norm_coordinates(target)
     discriminant = BodyChoice(target=target).discriminant
     # If the coefficients of the quadratic have a common factor, the norm contains its square.
     common_factor = isqrt((x * x + 3 * y * y) // discriminant)

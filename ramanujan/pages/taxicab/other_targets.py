@@ -135,7 +135,7 @@ def draw_open_question() -> None:
 
 def explain_form() -> None:
     """Explain which bodies lead to a discriminant of the form x² + 3y²."""
-    x, y = number_theory.norm_form()
+    x, y = number_theory.norm_coordinates()
     sentence = _(
         "**Where the form comes from.** The discriminant of the paper’s machine is ${x}^2+3\\cdot{y}^2={number}$. A "
         "hoop and a cylinder as lower rollers always lead to the form $x^2+3y^2$, whatever rolls on top."

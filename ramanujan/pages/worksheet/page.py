@@ -7,7 +7,7 @@ import streamlit as st
 
 from ramanujan import Oscillator
 from ramanujan.browser.roles import container
-from ramanujan.lesson.class_codes import ALPHABET, group_code
+from ramanujan.lesson.class_codes import ALPHABET, format_code
 from ramanujan.lesson.picture import draw_svg
 from ramanujan.lesson.worksheet import WorksheetQuestion, make_questions, set_in_a_row
 from ramanujan.numerals import filled
@@ -131,7 +131,7 @@ def draw_name_box() -> None:
             sentence = _("A worksheet’s name has {n:word} letters, all from {letters}. The old name was kept.")
             messages.note(SEED.name, filled(sentence, n=worksheet_keys.LETTERS, letters=ALPHABET), is_warning=True)
 
-    st.session_state["worksheet_name"] = group_code(address.current(SEED))
+    st.session_state["worksheet_name"] = format_code(address.current(SEED))
     st.text_input(
         _("Name of the worksheet"),
         key="worksheet_name",
@@ -161,7 +161,7 @@ def draw_head(machine: Oscillator, paper: str, seed: str, calculation_numbers: l
     points : sum of the points of all questions
     """
     title = _("Ramanujan’s oscillator: key {seed}") if paper == "key" else _("Ramanujan’s oscillator: worksheet {seed}")
-    st.title(title.format(seed=group_code(seed)), anchor=False)
+    st.title(title.format(seed=format_code(seed)), anchor=False)
     if paper == "questions" and not is_projector():
         lines = _("Name {line} Date {line} Points {line} of {points}")
         st.html(f"<p class='name' style='display:flex;gap:.4em'>{lines.format(line=_LINE, points=points)}</p>")
