@@ -21,9 +21,9 @@ _SESSION = re.compile(rb"(?i)(sec-websocket-protocol:[^,\r]*,[^,\r]*),[^\r]*")
 
 
 class Network:
-    """A network before one server. `seconds` is the delay in each direction; `down()` breaks it, `up()` restores it.
+    """A network before one server, which listens at `address`, on a free port, during the block.
 
-    It listens at `address`, on a free port, during the block.
+    `seconds` is the delay in each direction. `down()` breaks the network, and `up()` restores it.
     """
 
     seconds = 0.0
@@ -31,7 +31,7 @@ class Network:
     def __init__(self, server: str) -> None:
         parts = urlsplit(server)
         self.target = (parts.hostname, parts.port)
-        self._up, self._killed = True, False
+        self._up, self._forgets_session = True, False
         self._connections: set[asyncio.Task] = set()
         self._loop = asyncio.new_event_loop()
         self._thread = threading.Thread(target=self._loop.run_forever, daemon=True)
@@ -53,9 +53,13 @@ class Network:
         """Break all connections, and accept none until `up`."""
         self._call(self._break())
 
-    def up(self, killed: bool = False) -> None:
-        """Accept connections again. With `killed`, remove the session's id, so that the server begins new sessions."""
-        self._up, self._killed = True, killed
+    def up(self, forget_session: bool = False) -> None:
+        """Accept connections again.
+
+        With `forget_session`, remove the id of the session from requests, so that the server begins a new session, as
+        after a restart.
+        """
+        self._up, self._forgets_session = True, forget_session
 
     async def _listen(self) -> asyncio.Server:
         return await asyncio.start_server(self._serve, "127.0.0.1", 0, limit=_HEAD)
@@ -83,7 +87,7 @@ class Network:
             if self._up:
                 head = await reader.readuntil(b"\r\n\r\n")
                 delay = b"\r\nupgrade: websocket" in head.lower()
-                if self._killed:
+                if self._forgets_session:
                     head = _SESSION.sub(rb"\1", head)
                 server_reader, server_writer = await asyncio.open_connection(*self.target)
                 server_writer.write(head)

@@ -298,11 +298,11 @@ def test_one_entry_adds_a_question(monkeypatch):
 
 @settings(deadline=None, max_examples=100)
 @given(st.sampled_from(QUESTIONS), st.fractions(-9, 9, max_denominator=9), st.integers(0, 5))
-def test_a_multiple_of_the_right_answer_is_right_only_for_one(name, factor, spelling):
+def test_a_multiple_of_a_right_formula_is_wrong_but_a_multiple_of_a_right_equation_is_right(name, factor, spelling):
     text = zero_on_the_right(RIGHT[name][spelling % len(RIGHT[name])].strip("$"))
     verdict = judge(name, f"({factor})*({text})")
-    # An equation may be multiplied by anything but zero.
-    assert (verdict.kind in ("right", "unsimplified")) == (factor != 0 if name in EQUATIONS else factor == 1)
+    is_right = factor != 0 if name in EQUATIONS else factor == 1
+    assert (verdict.kind in ("right", "unsimplified")) == is_right
 
 
 @settings(deadline=None, max_examples=60)

@@ -110,7 +110,10 @@ def check_requests(requested: list[str], server: str) -> None:
 
 
 def check_words(page, longest: int) -> None:
-    """Check that lines are short and begin with no full stop, and that figures have the page's typeface."""
+    """Check that lines are short and begin with no full stop, and that texts in diagrams have the page's typeface.
+
+    No text is outside of its figure, and no two texts overlap.
+    """
     lines = page.evaluate(LINES)
     assert len(lines) > 3
     assert [line for line in lines if len(line) > longest] == []

@@ -23,7 +23,7 @@ from tests.browser import next_frame, script, settle, traffic
 WALL_FAULTS = script("wall")
 SIZES = ((1024, 768), (1920, 1080), (1280, 768), (3840, 2160))
 """Sizes of walls."""
-STOPS = [stop for stop in lesson.STOPS if stop.is_in_short_lesson]
+SHORT_LESSON = [stop for stop in lesson.STOPS if stop.is_in_short_lesson]
 BETWEEN = range(2, 5)
 """Numbers of the stops that the class plays without its screens."""
 AT = "ramanujan.last('time/stage_two-clocks_0')"
@@ -71,7 +71,8 @@ RERUN_ON_DEMAND = """(() => {
 })()"""
 """Replaces the periodic reruns of a page by reruns on demand, because nine pages would rerun all the time.
 
-An idle wall does not reload itself."""
+It also omits timeouts of more than ten seconds, after which an idle wall would reload itself.
+"""
 
 
 def rerun(*pages: Page) -> None:
@@ -291,7 +292,7 @@ def check_download(desk: Page, votes_of_stops: list[Counter]) -> None:
     ]
     assert downloaded == [
         (stop.id, option, "yes" if option == stop.answer() else "no", votes[option], "")
-        for stop, votes in zip(STOPS, votes_of_stops, strict=True)
+        for stop, votes in zip(SHORT_LESSON, votes_of_stops, strict=True)
         for option in stop.options
     ]
     assert [row["asked_at"] for row in rows] == sorted(row["asked_at"] for row in rows)
@@ -302,13 +303,13 @@ def test_a_class_plays_the_short_lesson_from_a_phone_and_downloads_its_votes(scr
     desk, wall = screens.desk, screens.wall
     check_code(screens)
     votes_of_stops = []
-    for number, stop in enumerate(STOPS, start=1):
+    for number, stop in enumerate(SHORT_LESSON, start=1):
         if number in BETWEEN:
             votes_of_stops.append(play_without_screens(screens.key, stop, screens.seats))
             continue
         if number - 1 in BETWEEN:
             rerun(desk)
-            expect(desk.locator("h1")).to_contain_text(STOPS[number - 2].heading)
+            expect(desk.locator("h1")).to_contain_text(SHORT_LESSON[number - 2].heading)
             settle(desk)
         check_question(screens, stop)
         own, votes = check_votes(screens, stop, has_tab=number == 1)
@@ -344,7 +345,7 @@ def test_no_view_of_a_wall_is_cut_at_any_size(screen):
             next_frame(wall)
             wrong.extend((heading, state, width, fault) for fault in wall.evaluate(WALL_FAULTS))
 
-    by_length = sorted(STOPS, key=lambda stop: len(stop.question + "".join(stop.options.values())))
+    by_length = sorted(SHORT_LESSON, key=lambda stop: len(stop.question + "".join(stop.options.values())))
     for stop in lesson.STOPS if os.environ.get("RAMANUJAN_DEEP") else by_length[-3:]:
         shared().ask(opened.key, stop.id, list(stop.options))
         for number, option in enumerate(stop.options):

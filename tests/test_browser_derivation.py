@@ -216,7 +216,7 @@ INKS = """[...new Set([...document.querySelectorAll('.st-key-lecture .katex-html
 
 
 def walk(page, route: str) -> None:
-    """Turn all steps of a route, and check each: the place of its heading, and its first equation in view.
+    """Page through all steps of a route, and check each: the place of its heading, and its first equation in view.
 
     The machine is beside the step, and covers no formula.
     """

@@ -64,6 +64,7 @@ def test_aborted_requests_do_not_damage_the_files_of_other_visitors(fresh, chrom
             time.sleep(after)
 
     def compare(path: str, coding: str) -> str | None:
+        """Return a fault, or None without one. There is no file of the page, so return its content instead."""
         headers, body = get(f"{address}{path}", Accept_Encoding=coding)
         assert headers.get("Content-Encoding", "identity") == coding, path
         assert ("immutable" in headers["Cache-Control"]) == (path != "/")

@@ -179,7 +179,7 @@ def check_preset_after_typing(page, late_by, seconds: float, stage: str = "oscil
         button = page.get_by_text(preset, exact=True)
         if not button.is_visible():
             page.locator(".st-key-more_controls summary").first.click()
-        button.dblclick()
+        button.dblclick()  # the second press must not revert the first one
         settle(page)
         expect(page.locator(BOX)).to_have_value("1.0")
         assert page.locator(M_PRIME).input_value() == "1"
@@ -268,14 +268,13 @@ NOTICE_AT_ONCE = """() => {
 
 
 def check_broken_network(page, late) -> None:
-    """Check that no setting and no drag is lost when the server is killed or the network breaks.
+    """Check that no setting and no drag is lost when the network breaks, also if the server forgets the session.
 
-    The test simulates a killed server by an interruption after which the server does not know the session.
-    test_deployment kills a real one.
+    A killed server forgets its sessions, too; test_deployment kills a real one.
     """
     late.by(0.0)
     page.evaluate(NOTICE_AT_ONCE)
-    for by, left, killed in ((-3, 5, True), (-2, 3, True), (1, 4, False)):
+    for by, left, forget_session in ((-3, 5, True), (-2, 3, True), (1, 4, False)):
         take_slab(page, by)
         late.way.down()
         # The page shows a notice, and continues to work.
@@ -286,7 +285,7 @@ def check_broken_network(page, late) -> None:
         if left == 3:  # the slab is released while there is no connection
             page.mouse.up()
             next_frame(page)
-        late.way.up(killed)
+        late.way.up(forget_session)
         page.wait_for_selector(f"{COMPRESSION}:enabled", state="attached", timeout=60_000)
         expect(notice).to_be_hidden()
         settle(page)

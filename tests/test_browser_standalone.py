@@ -224,7 +224,7 @@ def serving(folder: Path) -> Iterator[int]:
 
 @contextmanager
 def framed_by_another_site(file: Path, folder: Path) -> Iterator[str]:
-    """Serve a course page that contains the file from another site in a sandboxed frame; yield its address."""
+    """Serve the file, and on another site a page with the file in a sandboxed frame; yield the page's address."""
     with serving(file.parent) as port, serving(folder) as other:
         source = f"http://localhost:{port}/{file.name}#k=20"
         frame = f'<iframe sandbox="allow-scripts" src="{source}" width="900" height="700"></iframe>'

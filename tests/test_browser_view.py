@@ -64,8 +64,8 @@ LAYOUT = script("slide_size")
 SCROLLED = """() => [...document.querySelectorAll("[class*=st-key-slide-]:not([data-away]) .katex-display")]
   .filter((node) => node.scrollWidth > node.clientWidth + 1).map((node) => node.textContent.slice(0, 30))"""
 """The formulas of the present slide that are wider than their boxes."""
-OUT = script("cut_figures")
-"""The cut texts of figures."""
+CLIPPED_TEXTS = script("cut_figures")
+"""The texts of figures that are clipped at an edge of the figure."""
 BAR = """() => {
   const pager = document.querySelector('.st-key-pager').getBoundingClientRect();
   return [...document.querySelectorAll('header a, header button')].map((node) => node.getBoundingClientRect())
@@ -147,7 +147,7 @@ def check_slides(page, count: int, full: float | None) -> None:
         expect(page.locator(PLACE)).to_have_text(title)
         # A figure that becomes visible may be redrawn.
         for _ in range(40):
-            faults = page.evaluate(OVERLAPS) + page.evaluate(OUT)
+            faults = page.evaluate(OVERLAPS) + page.evaluate(CLIPPED_TEXTS)
             if not faults:
                 break
             page.wait_for_timeout(300)
@@ -171,7 +171,7 @@ def check_slides(page, count: int, full: float | None) -> None:
     page.set_viewport_size({"width": 1920, "height": 1080})
     next_frame(page)
     assert page.evaluate(BAR) == 0
-    page.wait_for_function(f"({OUT})().length === 0", polling=200)
+    page.wait_for_function(f"({CLIPPED_TEXTS})().length === 0", polling=200)
     assert page.evaluate(SIZES, 23.9) == []
 
 

@@ -116,14 +116,15 @@ def answer_until_killed(path: Path, code: str, votes: multiprocessing.connection
 
 def collect_confirmed(processes: list, votes: multiprocessing.Queue) -> dict[str, str]:
     """Wait until all processes have succeeded. Return the last confirmed answer of each voter."""
-    acknowledged = {}
+    last_answers = {}
     while any(process.is_alive() for process in processes) or not votes.empty():
         while not votes.empty():
-            acknowledged.update([votes.get()])
+            voter, option = votes.get()
+            last_answers[voter] = option
     for process in processes:
         process.join()
     assert {process.exitcode for process in processes} == {0}
-    return acknowledged
+    return last_answers
 
 
 def test_two_hundred_students_lose_no_vote_when_a_process_is_killed(school, opened):
@@ -141,14 +142,15 @@ def test_two_hundred_students_lose_no_vote_when_a_process_is_killed(school, open
     for process in others:
         process.start()
     os.kill(victim.pid, signal.SIGKILL)
-    acknowledged = {before_death: "neither"} | collect_confirmed(others, votes)
+    confirmed = {before_death: "neither"} | collect_confirmed(others, votes)
     victim.join()
     assert victim.exitcode == -signal.SIGKILL
-    assert len(acknowledged) == 201
+    assert len(confirmed) == 201
     assert answered(school, opened) == 201
     school.show(opened.key, Phase.REVEALED)
     # The count contains the last confirmed answer of each student, and no unfinished one.
-    assert school.read_distribution(opened.code, "faster") == {o: Counter(acknowledged.values())[o] for o in OPTIONS}
+    counts = Counter(confirmed.values())
+    assert school.read_distribution(opened.code, "faster") == {option: counts[option] for option in OPTIONS}
 
 
 def test_timeout_raises_a_sentence(school, opened, monkeypatch):

@@ -49,8 +49,12 @@ def changes(steps: Sequence[Equations]) -> list[list[Places]]:
                 if change:
                     removed, added = change
                     changed_terms[n][at] |= added
-                    if source in above and changed_terms[n][at - 1] | removed < _terms(source).keys():
-                        changed_terms[n][at - 1] |= removed
+                    # Mark the removed terms in the line above, unless all terms of that line would be marked.
+                    if source in above:
+                        marked = changed_terms[n][at - 1] | removed
+                        leaves_a_term = marked < _terms(source).keys()
+                        if leaves_a_term:
+                            changed_terms[n][at - 1] = marked
                     break
     return changed_terms
 

@@ -97,6 +97,7 @@ def test_presets_that_reveal_the_answer_are_hidden_until_it_is_shown():
     for step in ("ask", "reveal", "run"):
         assert not offered(press(lecturer, step))
     assert offered(press(lecturer, "solve"))
+    # A phone never offers presets, because its machine follows the desk.
     assert not offered(student)
     assert not offered(student.run())
 

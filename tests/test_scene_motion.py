@@ -53,9 +53,11 @@ def test_the_verdict_names_the_contact_and_the_compression(app, mu, compression)
         text for text in app.markdown if "no longer holds" in text.value or "Every contact rolls" in text.value
     )
     assert ("no longer holds" in sentence.value) == slips
-    bound = at_least(100 * largest, 3) if not slips else at_most(100 * largest, 3)
+    # The sentences are "up to" and "slips from": each rounds x₀ so that it remains true.
+    bound = at_most(100 * largest, 3) if slips else at_least(100 * largest, 3)
     assert f"{bound}\u202fcm" in sentence.value
     assert cache.CONTACTS[first_to_slip(machine, largest, spacing)] in sentence.value
+    # The text at the bars, "Largest compression without slip", is a lower bound in both cases.
     assert any(f"slip: **{at_least(100 * largest, 3)}\u202fcm**" in text.value for text in app.markdown)
 
 

@@ -78,7 +78,7 @@ QUANTITIES = {
     "momenta of bodies": lambda machine, _q, v: [*body_momenta(machine, v).values()],
     "forces": lambda machine, q, _v: [*core.contact_forces(machine, q).values()],
 }
-"""Group of the derivation → a function of machine, q and q̇ for the core's values in the same order."""
+"""Group of the derivation → a function of machine, q and q̇ that returns the core's values, in the group's order."""
 
 
 @pytest.mark.parametrize("group", QUANTITIES)

@@ -34,7 +34,7 @@ def every_text() -> list[str]:
 
 
 def fields(text: str) -> list[str | None]:
-    """Return the slots of a template in their order. LaTeX between dollar signs must contain none."""
+    """Return the names of the slots of a template in their order. Single braces of LaTeX would count as slots."""
     return [name for _text, name, _form, _conversion in string.Formatter().parse(text) if name is not None]
 
 

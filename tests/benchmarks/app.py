@@ -37,8 +37,8 @@ class Subject:
     script : the Streamlit script
     first : selector of the page's first picture
     complete : selector of an element that exists once the page is complete
-    picture : JavaScript expression that changes with a slider, in the app before the server answers
-    words : JavaScript expression that changes after the answer of the server
+    picture : JavaScript expression that changes with a slider; in the app it changes before the server answers
+    words : JavaScript expression that changes after the server has answered
     """
 
     name: str
@@ -110,7 +110,7 @@ def visit(browser: Browser, address: str, subject: Subject) -> tuple[Page, float
     first_picture = perf_counter() - start
     page.wait_for_selector(subject.complete)
     complete_page = perf_counter() - start
-    # Only an open step contains numbers. Open the last one, if the page has steps.
+    # Open the last step, if the page has steps. The words that `change` observes are in it.
     for step in page.locator(".st-key-steps summary").all()[-1:]:
         step.click()
     settle(page)

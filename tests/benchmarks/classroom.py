@@ -43,8 +43,8 @@ from tests.browser import CHROMIUM, FLAGS, ROOT, running
 from tests.deployed import deployed
 
 PAGES = {page.name: page.address for page in EVERY_PAGE.values()}
-EVERY = 2.0
-"""Average time between two changes of a session [s]."""
+CHANGE_INTERVAL = 2.0
+"""Average time between two changes of the slider in one session [s]."""
 
 LONGEST_MEASUREMENT = 600.0
 """Timeout of a measurement [s]."""
@@ -161,10 +161,10 @@ async def _open(visitor: Visitor, gate: asyncio.Semaphore, results: Lesson) -> V
 async def _work(visitor: Visitor, end: float, number: int, results: Lesson, arguments: argparse.Namespace) -> None:
     """Move the slider at random times until the end."""
     chance = random.Random(arguments.seed * 100_003 + number)
-    due = perf_counter() + chance.uniform(0, EVERY)
+    due = perf_counter() + chance.uniform(0, CHANGE_INTERVAL)
     while due < end:
         await asyncio.sleep(max(0.0, due - perf_counter()))
-        due = perf_counter() + chance.uniform(0.75, 1.25) * EVERY
+        due = perf_counter() + chance.uniform(0.75, 1.25) * CHANGE_INTERVAL
         try:
             results.waits.append(await visitor.move(arguments.slider, chance))
         except (VisitError, OSError) as problem:
