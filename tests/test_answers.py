@@ -442,7 +442,7 @@ def test_each_result_has_one_mistake(name):
     for mistakes_with_values in (question.values_of_slips, question.values_of_body_mistakes):
         for (first_hint, first), (second_hint, second) in combinations(mistakes_with_values, 2):
             assert not agree(first, second), (first_hint, second_hint)
-    results = [(altered.mistake, question.of_machine(altered.machine)) for altered in machines.altered_machines()]
+    results = [(altered.mistake, question.find_answer_for(altered.machine)) for altered in machines.altered_machines()]
     with_values = [(mistake, question.evaluate(result)) for mistake, result in results if result not in (None, 0)]
     for hint, values in question.values_of_body_mistakes:
         kinds = {mistake.id for mistake, wrong_values in with_values if agree(values, wrong_values)}

@@ -248,8 +248,8 @@ def test_a_strip_shows_where_its_form_is_right_and_its_other_results(app):
         assert [part.start for part in parts[1:]] == [part.end for part in parts[:-1]]
         for x, verdict in zip(sweep.x, sweep.verdict, strict=True):
             [part] = [each for each in parts if each.start - 0.01 <= math.log10(x) < each.end - 0.01][:1] or parts[-1:]
-            assert part.right == (verdict == "right")
-    words = [part.word for part in strips["the paper’s form"]]
+            assert part.is_right == (verdict == "right")
+    words = [part.label for part in strips["the paper’s form"]]
     assert words[-1] == "−0"
     figure = go.Figure(figures.draw_forms(strips, quantity="s", colors=theme.colors()).to_dict())
     assert set(words) < set(figure.data[0].customdata)

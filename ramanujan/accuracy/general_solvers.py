@@ -69,8 +69,9 @@ def eigen_solvers() -> list[EigenSweep]:
     return sweeps
 
 
-# Matrix that converts the displacements of block, slab and top cylinder relative to the ground, right positive, to
-# q = (X, φ, Φ), for R = 1. Its entries are exact as float32, which does not change the precision of a product.
+# Matrix that converts the displacements of block, slab and top cylinder to q = (X, φ, Φ), for R = 1. The displacements
+# are relative to the ground, positive to the right. Its entries are exact as float32, which does not change the
+# precision of a product.
 _Q_FROM_GROUND = np.array([[-1, 0, 0], [-0.5, 0.5, 0], [-1, 0, 1]], dtype=np.float32)
 
 

@@ -5,8 +5,8 @@ compute a uniform drift exactly. In units of 1/Ω for the time and with q = φ/�
 
     q″ = −q,   q(0) = 1,   q′(0) = 0,   h = 2π/n.
 
-So a run depends only on the method, the number n of steps per period, the number of periods and the dtype. Let v = q′
-and s = q − iv. The exact solution is s = e^{it}. The errors of a run, relative to the amplitude, are
+So a run depends only on the method, on n, on the number of periods and on the dtype. Let v = q′ and s = q − iv. The
+exact solution is s = e^{it}. The errors of a run, relative to the amplitude, are
 
     state error    |s − e^{it}|
     phase error    arg(s e^{−it}), unwrapped [rad]; positive if the run is ahead
@@ -78,8 +78,8 @@ def error_history(method: str, steps_per_period: int, periods: int, dtype: str =
         for _number, q, v in run_in_blocks(METHODS[method], start, h, steps):
             states.append(q[:, 0] - 1j * v[:, 0])
         s = np.concatenate(states)
-        # Unwrap the error instead of the phase: it changes by less than half a turn per step, and it keeps its digits.
-        # The remainder modulo n removes whole turns exactly.
+        # Unwrap the error instead of the phase. The error changes by less than half a turn per step, and keeps its
+        # digits. The remainder modulo n removes whole turns exactly.
         exact_phase = 2 * np.pi * (np.arange(s.size) % n) / n
         phase_error = np.unwrap(np.angle(s * np.exp(-1j * exact_phase)))
         energy_error = s.real**2 + s.imag**2 - 1
@@ -166,7 +166,7 @@ def count_evaluations(method: str, steps: ArrayLike) -> NDArray[np.int64]:
     """Return the number of evaluations of the acceleration in a number of steps.
 
     The evaluations in the first two steps are counted. Each step after the first may reuse the last acceleration of the
-    step before, so all of them have the same number of evaluations.
+    step before. So all steps after the first have the same number of evaluations.
 
     >>> count_evaluations("velocity_verlet", [1, 2, 100])
     array([  2,   3, 101])

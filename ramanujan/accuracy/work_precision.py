@@ -1,6 +1,6 @@
 """The work–precision diagram: error and cost of each integrator, and the cheapest run within a tolerance.
 
-The error of a run is the maximum over its steps of the state error or of the phase error in turns (see `runs`).
+The error of a run is the largest state error, or the largest phase error in turns, over its steps (see `runs`).
 """
 
 from __future__ import annotations
@@ -155,8 +155,8 @@ def _bracket_time_steps(steps: np.ndarray, dtype: str) -> np.ndarray:
     """Return two time steps for each run, shape (2, runs), that enclose hΩ of all machines.
 
     The time step and Ω² of a machine are rounded. The relative error of hΩ is at most ¾ of the epsilon of the dtype: ½
-    from h, and ¼ from Ω, half of the relative error of Ω². This is at most 1½ spacings of h. The rounding of 2π/n adds
-    half a spacing.
+    from h, and ¼ from Ω, whose relative error is half of that of Ω². This is at most 1½ spacings of h. The rounding of
+    2π/n adds half a spacing.
     """
     h = (2 * np.pi / steps).astype(dtype)
     margin = 2 * np.spacing(h)
@@ -175,7 +175,7 @@ def _largest_error(q: np.ndarray, v: np.ndarray, exact: np.ndarray, error_kind: 
     if error_kind == "phase":
         phase_errors = np.angle((q - 1j * v) * exact.conj())
         return abs(phase_errors).max(axis=(0, 1)) / (2 * np.pi)
-    # A state is s = q − iv, so the exact q and v are the real part and minus the imaginary part of e^{it}.
+    # A state is s = q − iv. The exact q is the real part of e^{it}, and the exact v is minus its imaginary part.
     squared_errors = (q - exact.real) ** 2 + (v + exact.imag) ** 2
     return np.sqrt(squared_errors.max(axis=(0, 1)))
 

@@ -118,8 +118,11 @@ def _compare_polynomials(question: Question, compared: Comparison) -> Difference
     differences = compared.differences(question.variables)
     if differences is None:
         if question.variables == MOTION:
-            return Difference([_("In your answer a velocity or an angle is below a fraction line.")], "")
-        return Difference([_("In your answer a mass or a length is below a fraction line.")], "")
+            sentence = _("In your answer a velocity or an angle is below a fraction line.")
+        else:
+            sentence = _("In your answer a mass or a length is below a fraction line.")
+        # With a term, even the empty one, the sentence is also shown if the unit is wrong.
+        return Difference([sentence], term="")
     opposite = replace(compared, typed=-compared.typed).differences(question.variables)
     if opposite and len(opposite) == 1 and len(differences) > 1:
         return _combine(opposite, _("Multiply your answer by −1. Then only one term differs."))
@@ -134,7 +137,8 @@ def _combine(differences: list[TermDifference], introduction: str = "") -> Diffe
         return Difference(sentences)
     (only,) = differences
     next_question = _("Which sign does each of these terms have?") if only.cancels else ""
-    return Difference(sentences, None if introduction else only.term, only.is_slip, next_question=next_question)
+    term = None if introduction else only.term
+    return Difference(sentences, term=term, is_slip=only.is_slip, next_question=next_question)
 
 
 def _compare_quotients(question: Question, typed: sp.Expr, compared: Comparison) -> Difference:

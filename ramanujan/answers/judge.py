@@ -30,8 +30,8 @@ class Verdict:
 def judge(question: str, text: str) -> Verdict:
     """Return the verdict on a student's answer; never raises.
 
-    Two formulas are equal if they agree at random points to 1,150 digits. A right formula counts as unsimplified in
-    two cases: it contains a needless symbol, or it is longer than the derived formula and its factored and expanded
+    Two formulas are equal if they agree at random points to 1,150 digits. A right formula counts as unsimplified if it
+    contains a needless symbol. It is also unsimplified if it is longer than the derived formula and its factored and expanded
     forms.
 
     Parameters
@@ -129,8 +129,8 @@ def _has_right_numerator(question: Question, typed: sp.Expr) -> bool:
 def _explain(question: Question, typed: sp.Expr, typed_values: values.Values) -> list[str]:
     """Return sentences about a wrong answer, the last one with the next question.
 
-    The first explanation wins: a known slip, a rounded number, a difference of the whole formula, or a mistake in a
-    body. Without such an explanation, the sentences are about the unit, the names and the single terms.
+    The first explanation counts, in this order: a known slip, a rounded number, a difference of the whole formula, a
+    mistake in a body. Without such an explanation, the sentences are about the unit, the names and the single terms.
     """
     is_zero = not any(typed_values)
     if is_zero and question.kind == EQUATION:
@@ -151,8 +151,8 @@ def _explain(question: Question, typed: sp.Expr, typed_values: values.Values) ->
 def _is_explained(question: Question, difference: Difference) -> bool:
     """Return whether a difference explains an answer better than a mistake in a body.
 
-    A missing term or a wrong sign is more likely than a mistake in a body. A wrong sign in the energy of one body is an
-    exception: there it usually comes from a wrong velocity, unless the student typed terms that cancel.
+    A missing term or a wrong sign is more likely than a mistake in a body. The energy of one body is an exception. A
+    wrong sign in it usually comes from a wrong velocity, unless the student typed terms that cancel.
     """
     if difference.next_question or difference.is_complete:
         return True
@@ -168,7 +168,7 @@ def _explain_difference(question: Question, typed: sp.Expr, difference: Differen
     # If the unit or the names are wrong, most terms are wrong, and a list of them does not help.
     if difference.term is not None or not sentences:
         sentences += difference.sentences
-    next_of_term = question.of_terms.get(difference.term or "", question.next_question)
+    next_of_term = question.next_questions_of_terms.get(difference.term or "", question.next_question)
     return [*sentences, difference.next_question or next_of_term]
 
 

@@ -277,8 +277,8 @@ def _gradient(path: sp.Expr) -> tuple[sp.Expr, ...]:
 def solve(name: str, machine: Machine, factors: Mapping[tuple[int, int], int] = MappingProxyType({})) -> sp.Expr | None:
     """Return the answer to a question from the equations of motion M a = −∂U/∂q, None without a solution.
 
-    The only force is −∂U/∂φ = −stiffness·φ. So the accelerations are in the ratio of the column φ of M⁻¹, and Ω² is the
-    stiffness times the entry of that column in the row φ.
+    The only force is −∂U/∂φ = −stiffness·φ. So the accelerations are proportional to the column φ of M⁻¹. Ω² is the
+    stiffness times the entry of this column in the row φ.
 
     Parameters
     ----------

@@ -282,7 +282,7 @@ def find_coupling_slips(name: str, right: sp.Expr) -> Slips:
 
 
 def find_factor_of_acceleration(equation: str) -> sp.Expr:
-    """Return the factor of φ̈ in an equation of the elimination."""
+    """Return the factor of φ̈ in an equation of the elimination: `equation` is an attribute of `Elimination`."""
     return getattr(eliminate_right_machine(), equation).coeff(phi_ddot)
 
 

@@ -44,8 +44,8 @@ class Question:
     steps : keys of the steps in the route of Euler and Lagrange that explain the answer; the last step contains it
     next_question : the lecturer's next question after a wrong answer
     find_slips : function (right answer) → its slips
-    of_machine : function (altered machine) → the answer that follows from it
-    of_terms : product of names, as shown → the next question about its coefficient
+    find_answer_for : function (altered machine) → the answer that follows from it
+    next_questions_of_terms : product of names, as shown → the next question about the coefficient of this product
     letters : letter of the textbook → its meaning here, and a question about the meaning
     variables : the variables of the answer as a polynomial
     accepts_any_form : whether an unsimplified form is right, too; for an equation it always is
@@ -61,8 +61,8 @@ class Question:
     steps: tuple[str, ...]
     next_question: str
     find_slips: Callable[[sp.Expr], Slips] = lambda _right: iter(())
-    of_machine: Callable[[Machine], sp.Expr | None] = lambda _machine: None
-    of_terms: Mapping[str, str] = field(default_factory=dict)
+    find_answer_for: Callable[[Machine], sp.Expr | None] = lambda _machine: None
+    next_questions_of_terms: Mapping[str, str] = field(default_factory=dict)
     letters: Mapping[sp.Symbol, tuple[sp.Expr, str]] = field(default_factory=dict)
     variables: tuple[str, ...] = NAMES
     accepts_any_form: bool = False
@@ -163,7 +163,7 @@ class Question:
         """Hint and values of each mistake in bodies, unless different mistakes have the same values."""
         groups: list[tuple[Values, list[AlteredMachine]]] = []
         for altered in machines.altered_machines():
-            values = self._values_of_mistake(self.of_machine(altered.machine))
+            values = self._values_of_mistake(self.find_answer_for(altered.machine))
             if values:
                 _add_to_group(groups, values, altered)
         hints = [(machines.find_common_hint(group), values) for values, group in groups]
@@ -273,8 +273,8 @@ def _make_body_question(name: str) -> Question:
         steps=("velocities", "energies") if body.angle == 0 else ("velocities", "inertia", "energies"),
         next_question=next_question.format(body=body_name),
         find_slips=lambda _right: mistakes.find_energy_slips(name),
-        of_machine=lambda machine: machine[name].kinetic_energy,
-        of_terms=hints,
+        find_answer_for=lambda machine: machine[name].kinetic_energy,
+        next_questions_of_terms=hints,
         letters=letters,
         variables=MOTION,
     )
@@ -293,7 +293,7 @@ def _make_coupling_question(name: str, quantity: str, acceleration: sp.Expr, equ
         steps=("motion", "elimination"),
         next_question=_("What do the equations of motion of X and Φ say about the three accelerations?"),
         find_slips=partial(mistakes.find_coupling_slips, name),
-        of_machine=partial(machines.solve, name),
+        find_answer_for=partial(machines.solve, name),
         symbol=sp.Symbol("c"),
     )
 
@@ -344,7 +344,7 @@ _ALL = (
         steps=("energies", "sum", "lagrangian"),
         next_question=_("What are the kinetic energies of the five bodies, and what is the potential energy?"),
         find_slips=mistakes.find_lagrangian_slips,
-        of_machine=lambda machine: machine.kinetic_energy - machine.potential_energy,
+        find_answer_for=lambda machine: machine.kinetic_energy - machine.potential_energy,
         variables=MOTION,
         accepts_any_form=True,
     ),
@@ -360,7 +360,7 @@ _ALL = (
         steps=("momenta",),
         next_question=_("Which terms of the Lagrangian contain X′?"),
         find_slips=mistakes.find_momentum_slips,
-        of_machine=lambda machine: _compute_first_row(machine, model.VELOCITIES),
+        find_answer_for=lambda machine: _compute_first_row(machine, model.VELOCITIES),
         variables=MOTION,
     ),
     Question(
@@ -373,7 +373,7 @@ _ALL = (
         steps=("rates", "motion"),
         next_question=_("What is the momentum of X, and what does Lagrange’s equation say about its derivative?"),
         find_slips=mistakes.find_block_equation_slips,
-        of_machine=_derive_block_equation,
+        find_answer_for=_derive_block_equation,
         variables=MOTION,
     ),
     Question(
@@ -386,7 +386,7 @@ _ALL = (
         steps=("rates", "motion"),
         next_question=_("Which kinetic energies contain φ′², and with which factors?"),
         find_slips=mistakes.find_phi_equation_slips,
-        of_machine=partial(machines.solve, "phi_equation"),
+        find_answer_for=partial(machines.solve, "phi_equation"),
         symbol=sp.Symbol("a"),
     ),
     _make_coupling_question(
@@ -405,7 +405,7 @@ _ALL = (
         steps=("elimination", "insertion", "frequency"),
         next_question=_("What is left of the equation of motion of φ when you insert the other two accelerations?"),
         find_slips=mistakes.find_frequency_slips,
-        of_machine=partial(machines.solve, "natural_frequency_squared"),
+        find_answer_for=partial(machines.solve, "natural_frequency_squared"),
     ),
     Question(
         name="unit_quadratic",
@@ -419,7 +419,7 @@ _ALL = (
         steps=("ratio", "unit"),
         next_question=_("What is Ω² in units of k/m, written with ε?"),
         find_slips=mistakes.find_quadratic_slips,
-        of_machine=partial(machines.solve, "unit_quadratic"),
+        find_answer_for=partial(machines.solve, "unit_quadratic"),
         variables=("eps",),
     ),
     Question(
@@ -434,7 +434,7 @@ _ALL = (
         steps=("unit", "root"),
         next_question=_("Which quadratic equation for ε follows from Ω² = k/m?"),
         find_slips=lambda _right: mistakes.find_mass_ratio_slips(),
-        of_machine=partial(machines.solve, "unit_mass_ratio"),
+        find_answer_for=partial(machines.solve, "unit_mass_ratio"),
     ),
 )
 _BY_NAME = {question.name: question for question in _ALL}

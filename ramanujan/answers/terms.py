@@ -290,13 +290,14 @@ class Comparison:
             if of_masses and len(of_masses) == 1:
                 return replace(of_masses[0], term=product)
         cancels = bool(self.without_signs) and not self.typed
-        return TermDifference(product, self._sentence(term), self._is_slip(), cancels)
+        sentence = self._describe_wrong_coefficient(term)
+        return TermDifference(product, sentence, is_slip=self._is_slip(), cancels=cancels)
 
     def _is_slip(self) -> bool:
         right = self.right
         return self.typed in (0, -right, 2 * right, right / 2, _interchange_masses(right))
 
-    def _sentence(self, term: str) -> str:
+    def _describe_wrong_coefficient(self, term: str) -> str:
         """Return a sentence about a coefficient that differs."""
         words = _OF_A_TERM if term else _OF_THE_CONSTANT
         if not self.right:
@@ -332,7 +333,7 @@ class Comparison:
                 return instead.format(term=term, yours=format_name(yours), right=format_name(theirs))
         return None
 
-    # Of the whole formula
+    # The whole formula
 
     def equation_differences(self, variables: tuple[str, ...]) -> list[TermDifference] | None:
         """Return the differences of the equations “typed = 0” and “right = 0”.

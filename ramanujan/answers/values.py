@@ -1,9 +1,9 @@
 """The values of a typed formula at three points, to 1,200 digits, and its unit.
 
-Two formulas count as equal if they agree at all `POINTS`, whose coordinates have twelve random digits. By the lemma of
-Schwartz and Zippel, two different rational formulas of degree 120 agree there with a probability below
-(240/(9·10¹¹))³ < 1e-28, where 240 is the degree of the equation between them. The product of a hundred coordinates has
-1,200 digits. So two different fractions also differ within the digits of a value, if a numerator and a denominator
+Two formulas count as equal if they agree at all `POINTS`, whose coordinates have twelve random digits. Two different
+rational formulas of degree 120 agree there with a probability below (240/(9·10¹¹))³ < 1e-28, by the lemma of Schwartz
+and Zippel. Here 240 is the degree of the equation between the two formulas. The product of a hundred coordinates has
+1,200 digits. Therefore two different fractions also differ within these digits if a numerator and a denominator
 together have fewer names.
 """
 

@@ -1,6 +1,6 @@
 // Starts the components of the app. A component has the name of its module. This file loads the module, its HTML and its CSS.
 //
-// Streamlit calls a component again after each change of its data or of the theme, and keeps only the last cleanup function. This
+// Streamlit calls a component again after each change of its data or of the theme. It keeps only the last cleanup function. This
 // file gives each module a simpler interface. The module's default function is called once per element, with the component and a
 // signal. The component always has the data and the setters of the last call. The signal aborts when the element leaves the page.
 // If the function returns an update function, it is called after each of Streamlit's calls.

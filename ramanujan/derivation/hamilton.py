@@ -1,6 +1,6 @@
 """Hamilton: two of the three canonical momenta are conserved, so one degree of freedom remains.
 
-H contains neither X nor Φ. For fixed values of their momenta the machine acts like a single mass M_e that moves by Rφ
+H contains neither X nor Φ. For fixed values of their momenta the machine acts like a single mass M_e. It moves by Rφ
 and compresses the spring by 2Rφ:
 
     H = (p_φ + shift)²/(2M_eR²) + 2kR²φ² + H₀,    shift and H₀ constant,    Ω² = 4k/M_e.

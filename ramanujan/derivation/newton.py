@@ -165,8 +165,8 @@ def normal_forces(bodies: Machine, spacing: sp.Expr, g: sp.Expr) -> dict[str, sp
 def floor_lever(bodies: Machine, g: sp.Expr) -> sp.Expr:
     """Return the lever of the floor's resultant normal force about the centre of mass, positive to the right [m].
 
-    The floor has no friction. The clockwise torque of its force and of the weights about a point of the floor is the
-    rate of the angular momentum:
+    The floor has no friction. The clockwise torque of its normal force and of the weights about a point of the floor is
+    the rate of the angular momentum:
 
         −lever · Σ mg = Σ (m · height · ẍ + I θ̈)
 

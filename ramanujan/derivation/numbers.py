@@ -214,7 +214,7 @@ def format_as_typed(value: sp.Expr) -> str:
 
 
 def format_with_decimal(value: sp.Expr, digits: int = 5) -> str:
-    """Return a number as LaTeX, with its decimal to `digits` digits, or to more digits if it would be rounded to 1.
+    """Return a number as LaTeX, with its decimal to `digits` digits, or to more if it would be rounded to 1.
 
     >>> print(format_with_decimal(sp.Rational(9, 8)), "and", format_with_decimal(sp.sqrt(2)))
     \\frac{9}{8} = 1.125 and \\sqrt{2} \\approx 1.4142

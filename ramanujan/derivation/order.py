@@ -1,4 +1,4 @@
-"""The order of a formula as in a textbook: one table for the factors of a product and for the terms of a sum.
+"""The order of a formula as in a textbook: a table for the factors of a product and the terms of a sum.
 
     factors   number, frequencies, k, masses, sums of masses, R, then functions of time          −2(m + m′)RẊφ̇
     terms     by highest derivative; squares, then products; X before Φ before φ    ½(3m + 2m′)Ẋ² + ¾mR²Φ̇² + …

@@ -150,7 +150,8 @@ class LatexPrinter(VectorLatexPrinter):
 def _split_coefficient(term: Product) -> tuple[tuple[sp.Expr, ...], tuple[sp.Expr, ...]]:
     """Return the factors above the fraction bar, and those after the fraction: in (k/m)Rφ, k and Rφ.
 
-    All factors are above the bar if the denominator contains motion, or if it has symbols and no mass is above it.
+    All factors are above the bar if the denominator contains motion. They are also above the bar if the denominator has
+    symbols and no mass is above it.
     """
     coefficient = tuple(filter(is_coefficient, term.above))
     has_motion_below = any(map(is_motion, term.below))

@@ -1,7 +1,7 @@
 """The motion in closed form: q(t) = a + b·t + c·cos Ωt + d·sin Ωt for each coordinate, from any initial state.
 
-The form follows from the spectrum: one oscillating mode, with its shape from the elimination, and two zero modes, with
-a drift of X and Φ. The six initial values determine the six constants.
+The form follows from the spectrum. The shape of the oscillating mode comes from the elimination, and the two zero modes
+are a drift of X and of Φ. The six initial values determine the six constants.
 """
 
 from functools import cache

@@ -36,8 +36,8 @@ class Part:
 
     start: float
     end: float
-    right: bool
-    word: str
+    is_right: bool
+    label: str
 
 
 _MARKS = 8
@@ -245,12 +245,12 @@ def draw_forms(strips: Mapping[str, Sequence[Part]], *, quantity: str, colors: C
         "x": [part.end - part.start for part in parts],
         "width": 2 * _HALF_STRIP,
         "marker": {
-            "color": [colors["primary"] if part.right else colors["ink"] for part in parts],
+            "color": [colors["primary"] if part.is_right else colors["ink"] for part in parts],
             "line": {"color": colors["paper"], "width": 2},
         },
         # A part that is too short for a legible label has only a hover text.
-        "text": [part.word if part.end - part.start > shortest_with_label else "" for part in parts],
-        "customdata": [part.word for part in parts],
+        "text": [part.label if part.end - part.start > shortest_with_label else "" for part in parts],
+        "customdata": [part.label for part in parts],
         "textposition": "inside",
         "insidetextanchor": "middle",
         "textangle": 0,

@@ -86,10 +86,10 @@ def publish(key: str, topics: Mapping[str, Any]) -> Any:
 
 
 def story(data: Mapping[str, Any]) -> Any:
-    """Put a button on the page that starts a story: it moves a slider until a stage's machine is in step.
+    """Put a button on the page that starts a story, which moves a slider until a stage's machine is in step.
 
-    The page moves the slider, and sends only the last value. As soon as the slider has reached the ratio, in the story
-    or by hand, the page marks it on the slider.
+    The page moves the slider, and sends only the last value. Once the slider has reached the ratio, in the story or by
+    hand, the page marks the ratio on the slider.
 
     Parameters
     ----------
@@ -219,7 +219,7 @@ def pick(figure: str, on_picked: Callable[[dict[str, float]], None]) -> Any:
     return mount("components/pick", key, {"figure": figure}, event="picked", on_value=on_picked, example=point)
 
 
-def steps(route: str, headings: Sequence[str], on_turned: Callable[[str, int], None], onward: bool) -> Any:
+def steps(route: str, headings: Sequence[str], on_turned: Callable[[str, int], None], has_onward_link: bool) -> Any:
     """Show one step of a lecture at a time: the containers with the keys `step-1`, `step-2`, … inside `lecture`.
 
     The lecture begins at the step in the address. After a change of route it begins at the first step.
@@ -229,9 +229,9 @@ def steps(route: str, headings: Sequence[str], on_turned: Callable[[str, int], N
     route : name of the route
     headings : headings of the steps in their order, for screen readers
     on_turned : called with the route and the step, after a pause without a turn
-    onward : whether a link follows the last step, in the container with the key `onward`
+    has_onward_link : whether a link follows the last step, in the container with the key `onward`
     """
-    data = {"route": route, "headings": list(headings), "onward": onward}
+    data = {"route": route, "headings": list(headings), "has_onward_link": has_onward_link}
     data["place"] = _("Step {now} of {count}: {heading}")
 
     def receive(position: dict[str, Any]) -> None:
@@ -246,7 +246,7 @@ def turn(
     headings: Sequence[str],
     now: int,
     on_turned: Callable[[int], None],
-    clicker: bool = True,
+    page_keys_turn: bool = True,
     place: str = _("Stop {now} of {count}: {heading}"),
     refusal: str = "",
 ) -> Any:
@@ -257,11 +257,11 @@ def turn(
     headings : headings of the stops in their order, then that of the ending, for screen readers
     now : number of the present stop, counted from 1; at the ending, the number of stops plus 1
     on_turned : called with the number of the requested stop
-    clicker : whether the page keys also turn stops
+    page_keys_turn : whether the page keys, which a clicker sends, also turn stops
     place : template of a screen reader's sentence about the present stop
     refusal : a text that changes when the server has refused a turn
     """
-    settings = {"place": place, "clicker": clicker, "refusal": refusal, "ending": True}
+    settings = {"place": place, "page_keys_turn": page_keys_turn, "refusal": refusal, "has_ending": True}
     data = {"headings": list(headings), "now": now, **settings}
 
     def receive(number: int) -> None:
@@ -271,7 +271,7 @@ def turn(
 
 
 def pager(on_turned: Callable[[str], None]) -> Any:
-    """Show one slide of the page at a time, for a projector, and put the control that turns slides on the page.
+    """Show one slide of the page at a time, for a projector, with a control that turns the slides.
 
     A slide is a container with the key "slide-NAME". Its title is the attribute `data-slide` of a node in it.
 

@@ -1,6 +1,6 @@
-// The head of a slider: symbol, meaning, and a box that shows the full value and accepts any number or fraction.
-// Only the slider stores the value. The box shows the slider's value, also during a drag, and sends each typed text to the
-// server. When slider and server agree, the value is written into the address.
+// The head of a slider: symbol, meaning and box. The box shows the full value and accepts any number or fraction. Only the slider
+// stores the value. The box shows the slider's value, also during a drag, and sends each typed text to the server. When slider
+// and server agree, the value is written into the address.
 
 import { bus } from "./bus.js";
 import { DECIMAL } from "./language.js";

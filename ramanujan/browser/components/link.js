@@ -1,5 +1,5 @@
-// The choice of a language, and the menu *Share*: copy the address, save the machine as one file, copy the code that embeds the
-// file. Without HTTPS browsers deny the clipboard; the text is then shown for copying by hand.
+// The choice of a language, and the menu *Share*. The menu copies the address, saves the machine as one file, or copies the code
+// that embeds the file. Without HTTPS browsers deny the clipboard; the text is then shown for copying by hand.
 
 import { bus } from "./bus.js";
 import { dom } from "./streamlit_dom.js";

@@ -84,8 +84,8 @@ class Pager {
   }
 
   /**
-   * The index of the wanted slide, or 0. -1 while the wanted slide may still follow: until every slide has its title and, on a
-   * page without a shown slide, until the end of the server's run.
+   * The index of the wanted slide, or 0 if the page lacks it. -1 while the slide may still follow. It may follow until every
+   * slide has its title. If no slide has been shown yet, it may follow until the end of the server's run.
    */
   wantedIndex() {
     const index = indexOf(this.wanted, this.slides);

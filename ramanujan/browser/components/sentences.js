@@ -1,5 +1,5 @@
-// Fills templates of sentences, which come from Python, and writes numbers by the rules of numerals.py: significant digits, a
-// thin space between groups of digits and before a unit, a minus sign (−), powers of ten.
+// Fills templates of sentences, which come from Python, and writes numbers by the rules of numerals.py. A number has significant
+// digits, a thin space between groups of digits and before a unit, a minus sign (−), and a power of ten.
 
 import { DECIMAL } from "./language.js";
 

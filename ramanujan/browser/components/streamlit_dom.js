@@ -1,6 +1,6 @@
 // All selectors into the pages of Streamlit and Plotly. If an assumption about these pages fails, the function that relies on it
-// returns null, false or nothing, and its feature has no effect.
-// tests/scripts/assumptions.js explains each assumption; .github/upgrading.md explains how to upgrade Streamlit.
+// returns null, false or nothing. Its feature then has no effect. tests/scripts/assumptions.js explains each assumption;
+// .github/upgrading.md explains how to upgrade Streamlit.
 
 import { observe } from "./lasting.js";
 

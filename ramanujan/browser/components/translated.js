@@ -1,6 +1,6 @@
 // Updates a page that the browser has translated. The translators of Chrome and Edge replace each text by a <font>. React still
-// changes the text that it has drawn, which is no longer on the page, so the old translation would remain. Here a changed text
-// replaces its translation, and the translator translates it again.
+// changes its own text, which is no longer on the page. So the old translation would remain. Here a changed text replaces its
+// translation, and the translator translates it again.
 
 import { observe } from "./lasting.js";
 import { dom } from "./streamlit_dom.js";

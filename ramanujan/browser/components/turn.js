@@ -18,13 +18,14 @@ export default function (component, signal) {
 
   // On a projector, a clicker's page keys first turn the slides of the present stop, up to the first or last one.
   function mayTurn({ key }, by) {
-    return key.startsWith("Arrow") || (key.startsWith("Page") && component.data.clicker && !bus.last("slides")?.has(by));
+    const isAtEndOfSlides = !bus.last("slides")?.has(by);
+    return key.startsWith("Arrow") || (key.startsWith("Page") && component.data.page_keys_turn && isAtEndOfSlides);
   }
 
   return () => {
-    const { now, refusal, clicker } = component.data;
+    const { now, refusal, page_keys_turn: pageKeysTurn } = component.data;
     // At the desk of a class, another button is primary: the one that moves the class.
-    component.parentElement.querySelector('[data-by="1"]').classList.toggle("primary", clicker);
+    component.parentElement.querySelector('[data-by="1"]').classList.toggle("primary", pageKeysTurn);
     // Ignore the answer to an earlier request, unless it is a refusal.
     const isPending = request && refusal === request.refusal && performance.now() - request.time < TIMEOUT;
     if (isPending && now !== request.stop) return;

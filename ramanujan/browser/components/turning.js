@@ -49,15 +49,15 @@ export class Turner {
 
   /** Update the control. */
   show(now) {
-    const { headings, place, onward, ending } = this.component.data, last = headings.length;
-    const heading = headings[now - 1], isEnding = ending && now === last;
-    const count = ending ? last - 1 : last; // the ending has a heading, but no number
+    const { headings, place, has_onward_link: hasOnwardLink, has_ending: hasEnding } = this.component.data;
+    const last = headings.length, heading = headings[now - 1], isEnding = hasEnding && now === last;
+    const count = hasEnding ? last - 1 : last; // the ending has a heading, but no number
     this.now = now;
     const ariaValueText = isEnding ? heading : fill(place, { now, count, heading });
     Object.assign(this.slider, { max: last, value: now, ariaValueText });
     this.output.textContent = isEnding ? "✓" : `${now}/${count}`;
     const [back, next] = this.buttons;
     back.ariaDisabled = now === 1;
-    next.ariaDisabled = now === last && !onward;
+    next.ariaDisabled = now === last && !hasOnwardLink;
   }
 }

@@ -35,7 +35,7 @@ function blockMarks(edge, origin, g) {
   };
 }
 
-/** An angle, from the vertical to the mark on the rim, and outside the rim an arrow in the positive sense (clockwise). */
+/** An angle from the vertical to the mark on the rim. Outside the rim an arrow shows the positive sense, clockwise. */
 function angleMarks(name, angle, displacement, g) {
   const [x0, y0] = g.centre[name], x = x0 + displacement, { R } = g;
   const point = (radii, direction) => `${x + radii * R * Math.sin(direction)} ${-y0 - radii * R * Math.cos(direction)}`;

@@ -73,8 +73,8 @@ export function makeLayers(root) {
     const load = largest((known) => ROLLERS.map((name) => FORMULAS.normal_force[`${name}_block`](known)));
     const total = largest((known) => strengths(verticalForces(known, place, 0)));
     maxima = { speed, force, weight: pair / 2 };
-    // The two arrows in a lower roller fit into its diameter, the arrow in the block into its lower step, and the arrow at the
-    // floor into the view.
+    // The two arrows in a lower roller fit into its diameter. The arrow in the block fits into the lower step, and the arrow at
+    // the floor into the view.
     const weight = Math.min((1.9 * place.R) / pair, place.deck / load, (0.7 * place.view.top) / total);
     unitLengths = { speed: (LONGEST.speed * size) / speed, force: (LONGEST.force * size) / force, weight };
   }

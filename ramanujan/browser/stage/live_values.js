@@ -1,7 +1,7 @@
 // Reads the settings of the sidebar's sliders and of the slab before the server has received them. Only Streamlit's sliders
 // store values. The server's value is current while its slider shows it, rounded to a step. If the slider shows another value,
-// the visitor has moved it, and the server has not answered yet. A drag of the slab moves the slider of x₀. After the drag,
-// this slider sends its value like after a key stroke, or as soon as the connection to the server is restored.
+// the visitor has moved it, and the server has not answered yet. A drag of the slab moves the slider of x₀. After the drag, this
+// slider sends its value like after a key stroke. Without a connection, it sends the value when the connection is restored.
 
 import { bus } from "../components/bus.js";
 import { dom } from "../components/streamlit_dom.js";

@@ -28,7 +28,7 @@ export function solve(parameters, initial) {
   };
 }
 
-/** Coordinates and rates at a phase Ωt of the oscillation and a time t of the drift, from cos Ωt and sin Ωt. */
+/** Coordinates and rates at a phase Ωt of the oscillation and a time t of the drift. A computed motion has its own cosine and sine. */
 export function stateAt({ Omega, motion }, phase, time, [cosine, sine] = [Math.cos(phase), Math.sin(phase)]) {
   const state = {};
   for (const [name, { a, b, c, d }] of Object.entries(motion)) {

@@ -151,7 +151,7 @@ function drawRuler(root, { floor: [from, to], view }) {
   for (let x = from; x <= to; x += STRETCH) element("text", { x, y: -0.69 * view.bottom }, ruler);
 }
 
-/** Slide the ruler under a view that has moved by `shift`, and write the labels that the ends of the view do not cut. */
+/** Slide the ruler under a view that has moved by `shift`. Show only the labels that the ends of the view do not cut. */
 function slideFloor(root, shift, { left, right, character }) {
   const ruler = root.querySelector(".ruler"), stretches = Math.floor(shift / STRETCH), moved = stretches * STRETCH - shift;
   set(ruler, { transform: `translate(${moved})` });

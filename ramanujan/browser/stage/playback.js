@@ -16,8 +16,8 @@ export class Playback {
   collisionPhase = null; // of the first collision, if a person has moved the playback beyond it
 
   /**
-   * Set the machine: its parameters and solution, `samples` that replace the exact motion, a `computed` motion to compare with
-   * it, the function `collision` of a state, and the reference frame.
+   * Set the machine: its parameters, its solution and the reference frame. `samples` replace the exact motion, and a `computed`
+   * motion is compared with it. `collision` is a function of a state.
    */
   setMachine({ parameters, solution, samples, computed, collision, seenFrom }) {
     const ratio = this.solution && this.solution.Omega / this.solution.plain;

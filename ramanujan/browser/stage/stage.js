@@ -82,9 +82,9 @@ class Stage {
   }
 
   /**
-   * Show the view of a class's desk: its layers, its reference frame, and its phases, advanced by the time since they were sent.
-   * `begins`: whether this stage has just received its first data. A desk also receives its own view (`own`), and applies it
-   * only in this case.
+   * Show the view of a class's desk: its layers, its reference frame and its phases. The phases are advanced by the time since
+   * they were sent. `begins`: whether this stage has just received its first data. A desk also receives its own view (`own`), and
+   * applies it only in this case.
    */
   follow(view, begins = false) {
     if (view && !arrivals.has(view)) arrivals.set(view, performance.now());

@@ -1,5 +1,5 @@
-// Draws Ω²m/k as a function of the mass ratio, as SVG: the curve, its limits, two marked machines, and a ring at the present
-// machine.
+// Draws Ω²m/k as a function of the mass ratio, as SVG. The picture contains the curve, its limits, two marked machines, and a
+// ring at the present machine.
 
 import { bus } from "../components/bus.js";
 import { DECIMAL } from "../components/language.js";

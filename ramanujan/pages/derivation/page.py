@@ -160,7 +160,8 @@ def turn_pages(setting: Setting) -> None:
     machine = sidebar.oscillator()
     if setting.is_lecture:
         steps = setting.steps
-        components.steps(setting.route, [step.heading for step in steps], select_step, steps[-1].key == "root")
+        headings = [step.heading for step in steps]
+        components.steps(setting.route, headings, select_step, has_onward_link=steps[-1].key == "root")
         current_step = steps[min(address.current(STEP), len(steps)) - 1]
         if current_step.key == "root":
             machine = replace(machine, m_prime=UNIT_MASS_RATIO * machine.m)

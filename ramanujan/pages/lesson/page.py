@@ -89,7 +89,7 @@ def draw_stops(head: st.delta_generator.DeltaGenerator) -> None:
             [*(stop.heading for stop in path), ENDING],
             number,
             go_to,
-            clicker=not class_session.lecturer_key(),
+            page_keys_turn=not class_session.lecturer_key(),
             refusal=stops.confirmed_stop(),
         )
     if number <= len(path):

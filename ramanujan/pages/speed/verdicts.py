@@ -227,7 +227,12 @@ def strip(sweep: Sweep) -> list[Part]:
     stretches = sweep.stretches
     ends = [*(stretch.first for stretch in stretches[1:]), stretches[-1].last]
     return [
-        Part(math.log10(stretch.first), math.log10(end), stretch.verdict == RIGHT, _describe_value(sweep, stretch))
+        Part(
+            start=math.log10(stretch.first),
+            end=math.log10(end),
+            is_right=stretch.verdict == RIGHT,
+            label=_describe_value(sweep, stretch),
+        )
         for stretch, end in zip(stretches, ends, strict=True)
     ]
 
