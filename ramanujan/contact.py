@@ -63,8 +63,9 @@ def contact_forces(oscillator: Oscillator, q: ArrayLike) -> dict[str, NDArray[np
 
     Returns
     -------
-    dict of arrays of shape q.shape[1:]. The keys hoop_slab, cylinder_slab, hoop_block, cylinder_block and top_block
-    have the force ON the rolling body, the key spring has the force on the slab. The reactions have the opposite sign.
+    dict of arrays of shape q.shape[1:]. The values of hoop_slab, cylinder_slab, hoop_block, cylinder_block and
+    top_block are the forces ON the rolling body; the reactions have the opposite sign. The value of spring is the force
+    on the slab.
 
     Raises
     ------

@@ -10,10 +10,10 @@ Contract for a step function, `step(acceleration, q, v, h) -> (q, v)`:
  3. h is the time step: one number for all runs, or an array with one element per run. It may be negative. h has the
     dtype of q or is a Python float, and constants are Python floats, so that float32 remains float32.
  4. A step function does not modify its arguments and has no state between calls.
- 5. If the last evaluation of a step is a(q) at the new q, the step returns the object q that it evaluated. If the
-    first evaluation of a step is a(q) at the old q, it uses the object q that was passed. `trajectory` recognizes this
-    object and reuses the acceleration. `Method.evaluations` assumes this reuse: velocity Verlet evaluates
-    twice in a single step, but once per step in a trajectory.
+ 5. A step whose last evaluation is a(q) at the new q returns the same object q. A step whose first evaluation is a(q)
+    at the old q evaluates the object q that was passed. `trajectory` recognizes this object and reuses the
+    acceleration. `Method.evaluations` assumes this reuse: velocity Verlet evaluates twice in a single step, but once
+    per step in a trajectory.
  6. The implicit method requires a linear acceleration, a(q) = q·a(1).
 
 References

@@ -56,7 +56,7 @@ class Network:
     def up(self, forget_session: bool = False) -> None:
         """Accept connections again.
 
-        With `forget_session`, remove the id of the session from requests, so that the server begins a new session, as
+        With `forget_session`, remove the id of the session from requests. The server then begins a new session, as
         after a restart.
         """
         self._up, self._forgets_session = True, forget_session

@@ -13,7 +13,7 @@ from ramanujan.shell.navigation import PAGES
 from tests.browser import ROOT
 from tests.test_worksheet import key_of, name_of
 
-UNMEANT = {
+INVALID_TEXTS = {
     "empty": "",
     "blank": " ",
     "infinite": "inf",
@@ -36,7 +36,7 @@ SHARED = {key.name: key for room in _EVERYWHERE for key in room.URL_PARAMETERS i
 DEFAULTS = {name: key.default for keys in (SHARED, *OWN.values()) for name, key in keys.items()}
 OF_A_CLASS = {"class", "lecturer", "wall"}
 """Keys with an effect only while a class is open (test_scene_classroom)."""
-MEANT = {
+VALID_TEXTS = {
     "step": "3",
     "modes_paused": "0.25,0.5",
     "p": "104",
@@ -56,10 +56,10 @@ MEANT = {
 """A text for each key that is not a choice or a slider, and for keys that control other keys."""
 
 
-def meant(key: addresses.URLParameter) -> str:
+def valid_text(key: addresses.URLParameter) -> str:
     """Return a valid text for a value other than the default."""
-    if key.name in MEANT:
-        return MEANT[key.name]
+    if key.name in VALID_TEXTS:
+        return VALID_TEXTS[key.name]
     if isinstance(key, parameters.Parameter):
         return f"{key.default + 0.37 * (key.most - key.default):.1f}"
     if isinstance(key, addresses.Count):
@@ -98,12 +98,12 @@ def test_every_page_is_listed():
     assert drawn == set(PAGES)
 
 
-@pytest.mark.parametrize("shift", range(0, len(UNMEANT), 6))
+@pytest.mark.parametrize("shift", range(0, len(INVALID_TEXTS), 6))
 @pytest.mark.parametrize("name", PAGES)
 def test_all_keys_at_once_cause_no_error(name, shift):
     """Give each key of a page another kind of invalid value. `shift` changes the kinds."""
-    keys, kinds = sorted({**OWN[name], **SHARED}), list(UNMEANT)
-    app = opened(name, {key: UNMEANT[kinds[(i + shift) % len(kinds)]] for i, key in enumerate(keys)})
+    keys, kinds = sorted({**OWN[name], **SHARED}), list(INVALID_TEXTS)
+    app = opened(name, {key: INVALID_TEXTS[kinds[(i + shift) % len(kinds)]] for i, key in enumerate(keys)})
     (warning,) = app.warning
     for key in keys:
         assert f" {key} " in warning.value, key
@@ -120,8 +120,8 @@ def test_all_keys_at_once_cause_no_error(name, shift):
 def test_an_invalid_value_does_not_affect_other_keys(name):
     """Every second key has an invalid value of one of the dangerous kinds."""
     keys = sorted(OWN[name].keys() - OF_A_CLASS)
-    bad = {key: UNMEANT[DANGEROUS[i % 4]] for i, key in enumerate(keys[::2])}
-    good = {key: meant(OWN[name][key]) for key in keys[1::2]}
+    bad = {key: INVALID_TEXTS[DANGEROUS[i % 4]] for i, key in enumerate(keys[::2])}
+    good = {key: valid_text(OWN[name][key]) for key in keys[1::2]}
     app = opened(name, {**bad, **good})
     warning, *_ = app.warning  # a target with default values may be out of reach
     for key in bad:
@@ -139,7 +139,7 @@ def test_an_invalid_value_does_not_affect_other_keys(name):
 
 @pytest.mark.parametrize("name", [name for name in PAGES if OWN[name]])
 def test_a_valid_address_is_unchanged_by_a_run(name):
-    address = {key: meant(OWN[name][key]) for key in OWN[name].keys() - OF_A_CLASS}
+    address = {key: valid_text(OWN[name][key]) for key in OWN[name].keys() - OF_A_CLASS}
     app = opened(name, address)
     assert not app.warning
     for key, text in address.items():

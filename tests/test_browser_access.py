@@ -34,7 +34,8 @@ VIOLATIONS = """([within, rules]) => axe.run({ include: within, exclude: ".katex
     `${each.id}: ${node.target.flat().join(" ")} ${node.html.slice(0, 160)}`)))"""
 """The violations that axe-core reports outside of formulas; test_look checks the contrast of formulas.
 
-It does not load every style sheet again, which only its rule about the orientation of the screen needs.
+With `preload: false`, axe-core does not load every style sheet again. Only its rule about the orientation of the screen
+needs them.
 """
 REACHED = """() => [...document.querySelectorAll(".stMarkdown *, [class*=st-key-]")].every((box) => box.tabIndex === 0
   || box.scrollWidth <= box.clientWidth || !/auto|scroll/.test(getComputedStyle(box).overflowX)
@@ -62,7 +63,7 @@ OUTSIDE = """() => [...document.querySelectorAll(".js-plotly-plot")].flatMap((gr
     return box.left < home.left - 1 || box.right > home.right + 1 || box.top < home.top - 1;
   }).map((label) => label.textContent);
 })"""
-"""The cut labels of figures."""
+"""The labels that are clipped at an edge of their figure."""
 
 
 def switch(page, theme: str) -> None:

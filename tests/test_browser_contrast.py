@@ -29,7 +29,7 @@ SHOW = """(i) => {
 FOCUS = "(i) => controls[i].node.focus({ focusVisible: true, preventScroll: true })"
 CALM_PAGE = """[data-testid=stSliderThumbValue] { visibility: hidden }
 *, ::before, ::after { transition: none !important; animation: none !important; caret-color: transparent !important }"""
-"""Hides the number of a slider, which must be visible without it, and disables what changes by itself."""
+"""Rules that hide the number beside a slider's thumb, so that it does not count as the control, and stop animations."""
 AS_IT_IS = {"caret": "initial"}
 """Option of a screenshot without a style sheet that hides the caret: it would restyle the whole page twice."""
 

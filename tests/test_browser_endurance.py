@@ -56,11 +56,11 @@ def test_theme_and_page_changes_leave_nothing_behind(visit: Callable) -> None:
     tab = visit("1729")
     client = watched(tab)
 
-    def known(stage: str) -> set[str]:
+    def topics_with_value(stage: str) -> set[str]:
         """Return the topics of a stage with a value on the bus."""
         return {topic for topic in TOPICS if tab.evaluate(f"ramanujan.last('{topic}/{stage}') !== undefined")}
 
-    def heard() -> Counter:
+    def count_listeners() -> Counter:
         """Return the number of listeners of each topic."""
         bus = client.send("Runtime.evaluate", {"expression": "globalThis.ramanujan"})["result"]["objectId"]
         listeners = client.send("DOMDebugger.getEventListeners", {"objectId": bus})["listeners"]
@@ -77,12 +77,12 @@ def test_theme_and_page_changes_leave_nothing_behind(visit: Callable) -> None:
                 assert tab.locator(".present-machine").count() == 2
             if place == 2:
                 tab.wait_for_selector(".time-cursor", state="attached")
-                assert known("oscillator") == set()
+                assert topics_with_value("oscillator") == set()
                 switch(tab, next(themes))
                 settle(tab)
                 assert tab.locator(".time-cursor").count() == tab.evaluate(CURSORS)
-        assert known("motion") == set()
-        return heard()
+        assert topics_with_value("motion") == set()
+        return count_listeners()
 
     # The first round loads the modules of each page.
     first = go_round()

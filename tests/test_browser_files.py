@@ -57,7 +57,7 @@ def test_aborted_requests_do_not_damage_the_files_of_other_visitors(fresh, chrom
 
     def leave(path: str, coding: str, after: float) -> None:
         with socket.create_connection((parts.hostname, parts.port)) as client:
-            # It resets the connection, as a tab does.
+            # With this option the socket resets the connection when it is closed, as a closed tab does.
             client.setsockopt(socket.SOL_SOCKET, socket.SO_LINGER, struct.pack("ii", 1, 0))
             head = f"GET {parts.path}{path} HTTP/1.1\r\nHost: app\r\nAccept-Encoding: {coding}\r\n\r\n"
             client.sendall(head.encode())

@@ -10,7 +10,7 @@ from hypothesis import strategies as st
 from ramanujan.lesson.class_codes import ALPHABET, LETTERS, format_code
 from ramanujan.shell.links import parameters_of, tidy
 from ramanujan.shell.navigation import PAGES
-from tests.test_addresses import OF_A_CLASS, meant
+from tests.test_addresses import OF_A_CLASS, valid_text
 
 UNTRIED = OF_A_CLASS | {"slide", "frame"}
 """Excluded parameters: codes have another test; a slide and the seat in a frame can have any name."""
@@ -28,7 +28,7 @@ def test_punctuation_after_a_link_is_not_part_of_its_value(name, end):
     for parameter in parameters_of(page):
         if parameter.name in UNTRIED or parameter.name.endswith("paused"):
             continue
-        text = meant(parameter)
+        text = valid_text(parameter)
         link = tidy(page.path, f"{parameter.name}={quote(text + end)}")
         [(_name, kept)] = parse_qsl(link.partition("?")[2]) if link else [(parameter.name, text + end)]
         assert parameter.read(kept) == parameter.read(text), parameter

@@ -18,8 +18,8 @@ def page(bare) -> Bare:
 
 
 def run(bare: Bare, name: str, body: str, argument: object = None) -> object:
-    """Run the body of a JavaScript function; `it` is the module, `given` the argument. Return the result."""
-    return bare.page.evaluate(f"async (given) => {{ const it = await {module(name)}; {body} }}", argument)
+    """Run the body of a JavaScript function; `tested` is the module, `given` the argument. Return the result."""
+    return bare.page.evaluate(f"async (given) => {{ const tested = await {module(name)}; {body} }}", argument)
 
 
 def test_a_component_begins_once_and_only_the_clean_up_of_its_last_call_ends_it(page):
@@ -28,7 +28,7 @@ def test_a_component_begins_once_and_only_the_clean_up_of_its_last_call_ends_it(
         "begin",
         """
         const parentElement = document.createElement("div"), seen = [], { bus } = await BUS;
-        const call = (c) => it.begin({ name: "components/publish", parentElement, data: { c } });
+        const call = (c) => tested.begin({ name: "components/publish", parentElement, data: { c } });
         const ends = [await call(1), await call(2)];
         seen.push(bus.last("c"));
         ends[0](); // a clean-up that comes late
@@ -49,7 +49,7 @@ def test_a_published_value_remains_when_a_double_of_the_component_ends(page):
         "begin",
         """
         const { bus } = await BUS;
-        const begin = () => it.begin({
+        const begin = () => tested.begin({
           name: "components/publish", parentElement: document.createElement("div"), data: { machine: 1 },
         });
         const first = await begin(), double = await begin();
@@ -67,7 +67,7 @@ def test_the_clocks_start_together_whenever_the_two_frequencies_change(page):
         page,
         "stage/playback",
         """
-        const { solve } = await MOTION, playback = new it.Playback();
+        const { solve } = await MOTION, playback = new tested.Playback();
         const collision = () => null;
         const set = (parameters) => playback.setMachine({ parameters, solution: solve(parameters), collision });
         set(given);
@@ -90,7 +90,7 @@ def test_stages_on_one_clock_run_together_and_the_clock_ends_with_the_last_one(p
         const stops = [new AbortController(), new AbortController()], ticks = [[], []], busy = [true, true];
         const go = (i, elapsed) => ticks[i].push(elapsed) && busy[i];
         const stage = (i, period) => ({ period: () => period, advance: (elapsed) => go(i, elapsed) });
-        const clocks = [0.35, 1e9].map((period, i) => it.joinClock("c", stage(i, period), true, stops[i].signal));
+        const clocks = [0.35, 1e9].map((period, i) => tested.joinClock("c", stage(i, period), true, stops[i].signal));
         const frames = async (n) => { for (let i = 0; i < n; i++) await new Promise(requestAnimationFrame); };
         await frames(4);
         const shared = clocks[0] === clocks[1], { slowing } = clocks[0];
@@ -102,11 +102,11 @@ def test_stages_on_one_clock_run_together_and_the_clock_ends_with_the_last_one(p
         const rested = ticks[0].length;
         await frames(3);
         const isIdle = ticks[0].length === rested;
-        it.wake();
+        tested.wake();
         await frames(3);
         const woken = ticks[0].length - rested;
         busy[0] = busy[1] = true;
-        it.wake();
+        tested.wake();
         await frames(2);
         const each = ticks.map((list) => list.length);
         stops[0].abort();
@@ -117,7 +117,7 @@ def test_stages_on_one_clock_run_together_and_the_clock_ends_with_the_last_one(p
         await frames(3);
         const last = ticks[1].length;
         await frames(3);
-        const fresh = it.joinClock("c", stage(0, 1), false, AbortSignal.abort());
+        const fresh = tested.joinClock("c", stage(0, 1), false, AbortSignal.abort());
         return { shared, slowing, each, alone, quick, ended: ticks[1].length === last, another: fresh !== clocks[0],
           together, isIdle, woken,
           least: Math.min(...ticks.flat()), most: Math.max(...ticks.flat()) };

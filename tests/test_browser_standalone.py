@@ -108,7 +108,7 @@ def test_the_file_runs_from_disk(window, file):
 
 
 def test_a_saved_file_begins_with_its_settings(window, file, tmp_path):
-    """A link to the changed machine opens it, also if all values are the defaults."""
+    """A link overrides the settings in the file, also if all values of the link are the defaults."""
     saved, page = tmp_path / "saved.html", window()
 
     def save(settings: str) -> str:

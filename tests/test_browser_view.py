@@ -135,8 +135,8 @@ def check_loading(page, path: str) -> None:
 def check_slides(page, count: int, full: float | None) -> None:
     """Check the slides of one page, one after the other.
 
-    With the share `full`, check narrow slides, too. Their sentences have 3.5 % of the height, for the last row, where
-    the used share of the slide is smaller.
+    With `full`, check narrow slides, too. For readers in the last row, their sentences have 3.5 % of the height. They
+    may be smaller on a slide of which more than the share `full` is used.
     """
     slides = page.locator(".st-key-pager select")
     titles = slides.locator("option").all_inner_texts()

@@ -83,19 +83,19 @@ def no_such_code(code: str) -> str:
 
 
 def answer_as(
-    place: Path | str, code: str, students: range, votes: multiprocessing.Queue, insists: bool = False
+    place: Path | str, code: str, students: range, votes: multiprocessing.Queue, retries: bool = False
 ) -> None:
-    """Join, answer and change answers as some students, in another process. With `insists`, retry failed attempts."""
+    """Join, answer and change answers as some students, in another process. With `retries`, retry failed attempts."""
     school, chance = classes.Classes(place, Clock()), random.Random(students.start)
 
     def act(action: Callable, *values: object) -> object:
         while True:
-            with suppress(*[ClassError] if insists else []):
+            with suppress(*[ClassError] if retries else []):
                 return action(*values)
             time.sleep(0.05)
 
     seats = [act(school.join, code, "", f"10.0.0.{student}") for student in students]
-    for _ in range(5 if insists else chance.randint(2, 3)):
+    for _ in range(5 if retries else chance.randint(2, 3)):
         chance.shuffle(seats)
         for seat in seats:
             option = chance.choice(OPTIONS)

@@ -281,7 +281,7 @@ def test_the_explanations_quote_the_right_numbers():
     with mpmath.workdps(30):
         huge = mpmath.mpf(8) * 6 * mpmath.mpf(10) ** 200 / (18 * mpmath.mpf(10) ** 400)
     assert mpmath.nstr(huge * mpmath.mpf(10) ** 200, 3) in explanation("huge-ratio")
-    # Its machine has heavy rollers, shows its masses, and does not move.
+    # The machine of this stop has heavy rollers, shows its masses, and does not move.
     [run] = lesson.find_stop("huge-ratio").runs
     assert "10²⁰⁰ kg" in run.label
     assert run.machine.period > 1e40
@@ -505,7 +505,7 @@ def test_the_short_lesson_states_the_equation_before_its_root():
     a, b, c = re.search(r"(\d+)ε² \+ (\d*)ε − (\d+) = 0", question.replace("\xa0", " ")).groups()
     assert abs(int(a) * root() ** 2 + int(b or 1) * root() - int(c)) < 1e-12
     assert question.index("ε²") < question.index("√1729")
-    # The condition that leads to it, in words and as a formula.
+    # The condition that leads to the equation, in words and as a formula.
     assert re.search(r"Ω²\s=\sk/m leads to", question)
     assert r"\Omega^2m" in exhibit
 

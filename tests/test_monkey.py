@@ -13,7 +13,7 @@ from streamlit.testing.v1 import AppTest
 
 from ramanujan.shell import parameters
 from ramanujan.shell.navigation import PAGES
-from tests.test_addresses import UNMEANT
+from tests.test_addresses import INVALID_TEXTS
 from tests.test_answers import HOSTILE, RIGHT
 from tests.test_scene_oscillator import HOSTILE as NO_NUMBERS
 
@@ -24,7 +24,7 @@ _OF_PAGES = [parameter for page in PAGES.values() for parameter in page.url_para
 KEYS = sorted(parameter.name for parameter in (*parameters.URL_PARAMETERS, *_OF_PAGES))
 ANSWERS = (*(texts[0] for texts in RIGHT.values()), *HOSTILE, "m*v^2/2", "φ̇·R")
 TEXTS = ("1", "9/8", "1/3", "٣", *NO_NUMBERS)
-LINKED = (*UNMEANT.values(), "1", "3", "0.75", "energy", "reading", "hoop")
+LINKED = (*INVALID_TEXTS.values(), "1", "3", "0.75", "energy", "reading", "hoop")
 
 Action = tuple[str, Callable[[], object]]
 

@@ -105,7 +105,7 @@ import sys
 from ramanujan import UNIT_MASS_RATIO, InitialState, Oscillator, motion, with_initial_velocities, released
 for room in {OTHER_PAGES!r}:
     assert f"ramanujan.{{room}}" not in sys.modules, room
-# Whatever was loaded before, the name is the function.
+# The name is the function, although a module of the same name was loaded before.
 from ramanujan import motion as again
 assert again is motion is sys.modules["ramanujan.motion"].motion
 """
@@ -121,7 +121,7 @@ app = AppTest.from_file({str(ROOT / "app.py")!r}, default_timeout=60).run()
 assert not app.exception and app.title
 for room in {OTHER_PAGES!r}:
     assert f"ramanujan.{{room}}" not in sys.modules, room
-# Negative control: what the page does show is there.
+# Negative control: the modules that the first page needs are loaded.
 assert "ramanujan.browser.stage" in sys.modules and "plotly" in sys.modules
 """
     done = subprocess.run([sys.executable, "-c", script], cwd=ROOT, capture_output=True, text=True, timeout=120)

@@ -169,7 +169,7 @@ SLOW = 60.0
 
 
 def check_button(app, stop, label: str, before: list[dict], words: set[str]) -> None:
-    """Check that a button starts only a machine at rest, with a visible motion. Any other shows new content."""
+    """Check that a button starts only a machine at rest, with a visible motion. Any other button shows new content."""
     after = fed(app)
     starts = "motion" in before[0]["hide"] and "motion" not in after[0]["hide"] and stop.runs[0].machine.period < SLOW
     layers = set(before[0]["hide"]) & set(stage.LAYERS) - set(after[0]["hide"])

@@ -16,7 +16,7 @@ WITHIN, PERIODS = 0.01, 30
 """The race of the integrators: the largest allowed phase error [turns], and the length of the run."""
 HALF = 0.005
 NOTHING = 1e-6
-"""A share of the energy below this limit is too small to measure or draw, so the sentence treats it as zero."""
+"""A share of the energy below this limit cannot be drawn, so the sentence treats it as zero."""
 STOPWATCH = 0.01
 TOO_FAST = 0.7
 """The stage shows a shorter period in slow motion, so a stopwatch cannot measure it [s]."""

@@ -13,8 +13,8 @@ from ramanujan.translation import _
 
 _CM = 100.0
 _DECK, _THICK, _STEP, _GAP = 8.0, 4.5, 3.0, 2.5
-"""Height of the block's lower step, thickness of the slab, height of the upper step above the slab, and gap at the
-walls, as on the stage [cm]."""
+"""Dimensions as on the stage [cm]: height of the block's lower step, thickness of the slab, height of the upper step
+above the slab, smallest gap between a roller and an edge of the block."""
 _LETTER = 5.0
 """Height of a letter, in the scale of the machine [cm]."""
 _IN_TEX = str.maketrans({"′": "'", "φ": r"\varphi", "Φ": r"\Phi", "₀": "_0"})
@@ -131,7 +131,7 @@ def _draw(machine: Oscillator, compression: float) -> _Drawing:
         _Outline(_coil(spring_start, spring_end, spring_height)),
         # The arrow of X, from the left edge of the block to the left.
         _Outline(f"M{block_left:g} {-_DECK:g}v-7M{block_left:g} {-_DECK - 4.5:g}h-6l2 -1.2m-2 1.2l2 1.2"),
-        # The length x₀ above the spring: from the slab's right edge at release to the one with the spring relaxed.
+        # The length x₀ above the spring: the slab's right edge with the spring relaxed, and at release.
         _Outline(
             f"M{slab_right:g} {-spring_height:g}V{x0_height - 1:g}M{slab_right:g} {x0_height:g}H{slab_right + x0:g}"
         ),

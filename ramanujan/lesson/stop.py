@@ -73,9 +73,11 @@ class Onward(NamedTuple):
 class Stop:
     """One stop of the lesson.
 
-    All sentences are templates for `numerals.filled`. Besides `question_numbers` and `answer_numbers`, their slots may
-    use `equal` (the machine with equal masses), `machine` and `shown` (the machines before and after the prediction),
-    and `runs`.
+    All sentences are templates for `numerals.filled`. Their slots are `question_numbers`, `answer_numbers`, and:
+
+        equal             the machine with equal masses
+        machine, shown    the machines before and after the prediction
+        runs              the runs of the stop
 
     Parameters
     ----------

@@ -52,7 +52,7 @@ def discriminant(a: int, b: int, c: int) -> int:
 
     Raises
     ------
-    ValueError : a coefficient is not such an integer; the message names it.
+    ValueError : a coefficient is invalid. The message begins with its name.
 
     >>> discriminant(18, 1, -24)
     1729
@@ -74,7 +74,7 @@ def factorization(n: int) -> tuple[tuple[int, int], ...]:
 
     Raises
     ------
-    ValueError : n is not such an integer.
+    ValueError : n is not an integer in this range.
 
     >>> factorization(1729)
     ((7, 1), (13, 1), (19, 1))
@@ -95,7 +95,7 @@ def squarefree_part(n: int) -> int:
 
     Raises
     ------
-    ValueError : n is not such an integer.
+    ValueError : n is not an integer in this range.
 
     >>> squarefree_part(72)
     2
@@ -118,7 +118,7 @@ def field_discriminant(n: int) -> int:
 
     Raises
     ------
-    ValueError : n is not such an integer.
+    ValueError : n is not an integer in this range.
 
     Source: D. A. Marcus, Number Fields, chapter 2.
 
@@ -142,7 +142,7 @@ def sums_of_two_cubes(n: int) -> list[tuple[int, int]]:
 
     Raises
     ------
-    ValueError : n is not such an integer.
+    ValueError : n is not an integer in this range.
 
     >>> sums_of_two_cubes(1729)
     [(1, 12), (9, 10)]
@@ -183,7 +183,7 @@ def represent_x2_plus_3y2(n: int) -> list[tuple[int, int]]:
 
     Raises
     ------
-    ValueError : n is not such an integer.
+    ValueError : n is not an integer in this range.
 
     >>> (41, 4) in represent_x2_plus_3y2(1729)
     True
@@ -209,7 +209,7 @@ def positive_root_digits(a: int, b: int, c: int, digits: int) -> str:
 
     Raises
     ------
-    ValueError : a coefficient or the number of digits is not such an integer.
+    ValueError : a coefficient or the number of digits is invalid.
 
     Source: integer square root; ⌊⌊x⌋/d⌋ = ⌊x/d⌋ for a positive integer d, here 2a.
 
@@ -242,7 +242,7 @@ def continued_fraction(a: int, b: int, c: int, terms: int) -> list[int]:
 
     Raises
     ------
-    ValueError : a coefficient or the number of terms is not such an integer.
+    ValueError : a coefficient or the number of terms is invalid.
 
     Source: H. Davenport, The Higher Arithmetic, chapter IV.
 
@@ -276,7 +276,7 @@ def convergents(quotients: Sequence[int]) -> list[Fraction]:
 
     Raises
     ------
-    ValueError : quotients is not such a list.
+    ValueError : the list is too long, or a quotient is invalid.
 
     Source: H. Davenport, The Higher Arithmetic, chapter IV.
 

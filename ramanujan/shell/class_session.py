@@ -1,8 +1,8 @@
 """The role of this session in a class: lecturer with a key, student with a seat, wall, or none.
 
-The role is stored in the session state, and after a reload it is read from the address (`class_keys`). A student is
-identified by a random cookie of the browser (`browser_cookie`), so that all tabs of a phone share one vote. In a
-frame of another site, `browser/frame.js` writes a random name into the address instead.
+The role is stored in the session state, and after a reload it is read from the address (`class_keys`). A random cookie
+of the browser identifies a student (`browser_cookie`), so all tabs of a phone share one vote. In a frame of another
+site, `browser/frame.js` writes a random name into the address instead.
 
 The wall also follows the sliders of the lecturer's desk.
 """

@@ -125,7 +125,7 @@ WATCH: dict[str, dict[str, Any]] = {
     name: {"parameter": name, "scale": PARAMETERS[name].scale, "step": PARAMETERS[name].step}
     for name in (*MACHINE, "compression")
 }
-"""Key of a slider → the parameter of the stage that it changes, in the format of the argument `watch` of a stage."""
+"""Key of a slider → the parameter of the stage that the slider changes, in the format of `stage.mount(watch=…)`."""
 
 SENTENCES = {
     "unreadable": _(

@@ -72,8 +72,8 @@ def are_waiting() -> bool:
 def draw() -> None:
     """Draw the hidden slider, from the first run on. Call it after all widgets that are set.
 
-    If the page did not have this slider yet, its message would leave the server's number in the session state, as if
-    the page had received every update.
+    A message from a page without this slider would not change the server's number in the session state. Every update
+    would then count as received.
     """
     if are_waiting():
         st.session_state[_SEEN] = _last_number()

@@ -14,7 +14,7 @@ machine. The clients run on the same machine.
 --measuring    number of additional sessions that repeat the measurement of the speed page; its durations are printed
 --looking      number of additional sessions that open all pages once, without cached results
 --voting       number of phones that vote once; the delays until the wall counts the votes are printed
---browsers     number of these pages in real browsers: the wall and phones
+--browsers     number of pages in real browsers, with --voting: the wall, and phones
 """
 
 import argparse

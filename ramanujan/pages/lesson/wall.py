@@ -67,7 +67,7 @@ def _draw_question(code: str, stop: Stop, question: ClassQuestion) -> None:
     """Draw a question and its votes across the wall, with the machine in the remaining height."""
     is_solved = question.phase == Phase.SOLVED
     is_running = question.phase >= Phase.RUNNING
-    with st.container(key="wall_asked" if question.phase == Phase.ASKED else "wall_told"):
+    with st.container(key="wall_asked" if question.phase == Phase.ASKED else "wall_result"):
         st.title(stop.heading, anchor=False)
         if not is_solved:
             st.markdown(stop.question)

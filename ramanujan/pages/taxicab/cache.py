@@ -100,8 +100,8 @@ def machines() -> tuple[BodyChoice, ...]:
 def practical_machines() -> list[tuple[Fraction, Fraction, float]]:
     """Return machines for a workshop, whose mass ratios are the first convergents of the paper's ratio.
 
-    Each machine is a tuple: its mass ratio, the exact error of its Ω²m/k, and the number of periods of the plain mass
-    until the clock hands are one turn apart.
+    Each machine is a tuple: its mass ratio, the exact error of its Ω²m/k, and a number of periods of the plain mass.
+    After these periods the clock hands are one turn apart.
     """
     machines = []
     for ratio in number_theory.convergents(quotients(5)):

@@ -69,7 +69,7 @@ def judge_typed(name: str, route: str = "") -> None:
     Parameters
     ----------
     name : name of the question
-    route : route of the derivation that asks the question at its step; empty for a question without a route
+    route : route of the derivation before whose step the question is drawn; empty for a question elsewhere
     """
     text = st.session_state.get(f"answer_{route}{name}")
     if text:
@@ -98,7 +98,7 @@ def draw_question(name: str, with_step: bool = True, route: str = "") -> None:
     ----------
     name : name of the question
     with_step : whether the last hint shows the step to the answer
-    route : route of the derivation that asks the question at its step. Such a question has no machine and no hints.
+    route : as for `judge_typed`. A question before a step has no machine and no hints.
     """
     if route:
         draw_box(name, with_step, route)
@@ -120,13 +120,11 @@ def publish_machine() -> None:
 
 
 def draw_box(name: str, with_step: bool, route: str = "") -> None:
-    """Draw the text of a question, its box, the verdict, and the hints unless a route asks the question.
+    """Draw the text of a question, its box, the verdict, and the hints unless the question is before a step.
 
     Parameters
     ----------
-    name : the question
-    with_step : whether the last hint shows the step of the derivation
-    route : the route that asks the question before its step, or ""
+    name, with_step, route : as for `draw_question`
     """
     shown = find_question(name)
     is_equation = shown.kind == EQUATION
