@@ -24,6 +24,7 @@ from tests.browser import (
     PAGES,
     ROOT,
     evidence,
+    go,
     leave_out_figures,
     open_address,
     running,
@@ -128,7 +129,8 @@ def visit(request: pytest.FixtureRequest, chromium: object, server: str) -> Iter
     """Open a page of the app as a new visitor: visit("?m=2", width=390, height=844, theme="dark").
 
     Each call creates a browser context, with further options under Playwright's names. `tab=page` opens the address in
-    an existing tab instead, and `beside=page` in another tab of the same visitor. Scripts run before those of the page.
+    an existing tab instead, `within=page` in such a tab without loading the app again, and `beside=page` in another tab
+    of the same visitor. Scripts run before those of the page.
     `network` is the address of a proxy for the server. `note` is called with the address of each request. A page with
     an error fails the test. The stage moves only with motion="no-preference", because sixty frames a second without a
     graphics card need a whole processor. With figures=False, the page has no figures.
@@ -144,6 +146,7 @@ def visit(request: pytest.FixtureRequest, chromium: object, server: str) -> Iter
         theme: str = "light",
         motion: str = "reduce",
         tab: object = None,
+        within: object = None,
         beside: object = None,
         figures: bool = True,
         network: str | None = None,
@@ -151,15 +154,18 @@ def visit(request: pytest.FixtureRequest, chromium: object, server: str) -> Iter
         **options: object,
     ) -> object:
         size = {"width": width, "height": height}
-        if not (tab or beside):
+        if not (tab or within or beside):
             contexts.append(chromium.new_context(viewport=size, **({"bypass_csp": True} | options)))
             contexts[-1].set_default_timeout(60_000)
             contexts[-1].on("weberror", lambda error: errors.append(str(error.error)))
-        page = tab or (beside.context if beside else contexts[-1]).new_page()
+        page = tab or within or (beside.context if beside else contexts[-1]).new_page()
         if page not in pages:
             pages.append(page)
         page.set_viewport_size(size)
         page.emulate_media(color_scheme=theme, reduced_motion=motion)
+        if within:
+            go(page, address)
+            return page
         if not figures:
             leave_out_figures(page)
         if note:

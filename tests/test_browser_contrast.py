@@ -165,10 +165,11 @@ EVERYWHERE = ".stSidebar, header, .st-key-bar"
 def test_every_kind_of_control_is_visible_in_forced_colours(visit):
     page, checked, with_states, types = None, set(), set(), set()
     for each in PAGES.values():
-        page = visit(each.address, tab=page, figures=False, forced_colors="active")
+        page = visit(each.address, within=page, figures=False, forced_colors="active")
         page.evaluate(OPEN)
         settle(page)
-        page.add_style_tag(content=CALM_PAGE)
+        if not checked:
+            page.add_style_tag(content=CALM_PAGE)
         assert check_controls(page, "[data-none]", checked) > 4
         types |= check_states(page, EVERYWHERE, with_states)
     assert types >= {"checkbox", "range", "tab", "radio"}

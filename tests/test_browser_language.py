@@ -71,7 +71,7 @@ def pseudo() -> Iterator[str]:
 def test_every_text_is_translated_and_longer_words_fit_on_a_screen_and_on_a_narrow_phone(visit, pseudo):
     page = None
     for address in ADDRESSES.values():
-        page = visit(address, network=pseudo, tab=page)
+        page = visit(address, network=pseudo, within=page)
         assert "⟪" in page.locator("[data-testid=stMainBlockContainer]").inner_text()
         assert page.locator("html").get_attribute("lang") == "pseudo"
         assert [text for text in page.evaluate(UNTRANSLATED) if text not in (*STREAMLITS_OWN, *NAMES)] == []
