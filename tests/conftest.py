@@ -30,7 +30,7 @@ from tests.browser import (
     running,
     wait_for_start,
 )
-from tests.engines import bare, bare_address, browsers, engine, playwright, skip_missing, some, window  # noqa: F401
+from tests.engines import bare, bare_address, browsers, engine, playwright, sample, skip_missing, window  # noqa: F401
 
 # Store the tests' classes separately: the app on this computer stores at most 200.
 _CLASSES = TemporaryDirectory()

@@ -99,10 +99,10 @@ class deployed:  # noqa: N801 (reads as a sentence: with deployed(2) as hall)
         unit.optionxform = str
         unit.read(RECIPE / "ramanujan@.service")
         service = unit["Service"]
-        given = service["Environment"].split()
+        environment = service["Environment"].split()
         if name in OTHERS:
             unit.read(RECIPE / f"ramanujan@{OTHERS[name]}.service.d/language.conf")
-            given += service["Environment"].split()
+            environment += service["Environment"].split()
         command = [
             part.replace("%i", str(self.ports[name])).replace(f"{_PLACE}/.venv/bin/python", sys.executable)
             for part in shlex.split(service["ExecStart"])
@@ -110,7 +110,7 @@ class deployed:  # noqa: N801 (reads as a sentence: with deployed(2) as hall)
         self.processes[name] = subprocess.Popen(
             command,
             cwd=service["WorkingDirectory"].replace(_PLACE, str(ROOT)),
-            env=os.environ | dict(value.replace(_STATE, self.state.name).split("=") for value in given),
+            env=os.environ | dict(value.replace(_STATE, self.state.name).split("=") for value in environment),
             stdout=subprocess.DEVNULL,
             stderr=subprocess.DEVNULL,
         )

@@ -85,7 +85,7 @@ def engine(request: pytest.FixtureRequest) -> str:
 
 
 @pytest.fixture
-def some(engine: str) -> Callable[[Iterable[object]], list[object]]:
+def sample(engine: str) -> Callable[[Iterable[object]], list[object]]:
     """Choose cases: all in Chromium or if RAMANUJAN_DEEP is set, every third in other browsers."""
     step = 1 if engine == "chromium" or os.environ.get("RAMANUJAN_DEEP") else 3
     return lambda cases: list(cases)[::step]

@@ -31,8 +31,8 @@ def wide_formulas(block: Any) -> list[Any]:
     return [element for element in block if element.type in ("markdown", "latex") and id(element) not in on_phone]
 
 
-def array(given: Any) -> np.ndarray:
+def array(stored: Any) -> np.ndarray:
     """Return the values of a figure's array, which may be stored as bytes."""
-    if isinstance(given, dict):
-        return np.frombuffer(base64.b64decode(given["bdata"]), dtype=given["dtype"]).astype(float)
-    return np.array(given, dtype=float)
+    if isinstance(stored, dict):
+        return np.frombuffer(base64.b64decode(stored["bdata"]), dtype=stored["dtype"]).astype(float)
+    return np.array(stored, dtype=float)

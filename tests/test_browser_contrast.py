@@ -57,8 +57,8 @@ def differ(first: np.ndarray, second: np.ndarray) -> bool:
     if abs(first.shape[0] - second.shape[0]) > 2 or abs(first.shape[1] - second.shape[1]) > 2:
         return True
     height, width = (min(sizes) for sizes in zip(first.shape[:2], second.shape[:2], strict=True))
-    off = np.abs(first[:height, :width] - second[:height, :width]).max(axis=2)
-    return bool((off > 60).sum() > 12)
+    difference = np.abs(first[:height, :width] - second[:height, :width]).max(axis=2)
+    return bool((difference > 60).sum() > 12)
 
 
 def is_seen(picture: np.ndarray) -> bool:
@@ -185,11 +185,11 @@ def test_slides_popovers_and_the_projector_switch_are_visible_in_forced_colours(
     if page.locator("[data-testid=stExpandSidebarButton]").is_visible():
         page.locator("[data-testid=stExpandSidebarButton]").click()
     switch = page.locator(".st-key-projector label")
-    off = pixels(switch)
+    before = pixels(switch)
     switch.click()
     page.wait_for_url("**view=projector*")
     settle(page)
-    assert differ(off, pixels(switch))
+    assert differ(before, pixels(switch))
     assert check_controls(page, "header, .stSidebar", set()) > 4
 
 

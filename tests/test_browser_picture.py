@@ -90,10 +90,10 @@ def check_bodies(picture: Picture, drawn: dict, home: dict[str, float]) -> None:
     assert left < x["hoop"] - R < x["cylinder"] - 3 * R < drawn["spring"][2] < x["top"] < right
 
 
-def test_all_that_is_drawn_agrees_with_the_core(picture, some):
+def test_all_that_is_drawn_agrees_with_the_core(picture, sample):
     picture.layers("arrows", "weights")
     known: dict[float, dict[str, float]] = {}
-    for machine, compression in some([*machines(MACHINES), (Oscillator(1.0, UNIT_MASS_RATIO), 0.08)]):
+    for machine, compression in sample([*machines(MACHINES), (Oscillator(1.0, UNIT_MASS_RATIO), 0.08)]):
         picture.show(machine, compression)
         for periods in TIMES:
             drawn = picture.at(periods)
@@ -157,12 +157,12 @@ def check_floor(picture: Picture, drawn: dict, masses: dict[str, float], g: floa
 
 
 @ANY_ENGINE
-def test_in_the_frame_of_the_block_it_is_still_and_the_velocities_of_rolling_are_drawn(picture, some):
+def test_in_the_frame_of_the_block_it_is_still_and_the_velocities_of_rolling_are_drawn(picture, sample):
     """The floor moves, and the velocities on a lower roller are 0, Rφ̇ and 2Rφ̇ for any motion of the block."""
     switch = "root.querySelector('.viewpoint input').click()"
     picture.layers("arrows")
     picture.find(switch)
-    for machine, compression in some(machines(MACHINES)[-2:]):
+    for machine, compression in sample(machines(MACHINES)[-2:]):
         picture.show(machine, compression)
         blocks, zeros = [], []
         for periods in (0.1, 0.25, 0.6, 0.95):
@@ -199,10 +199,10 @@ def check_clock(picture: Picture, drawn: dict, home: dict[str, float], periods: 
 
 
 @ANY_ENGINE
-def test_a_pushed_machine_and_the_view_that_follows_it(motion_picture, some):
+def test_a_pushed_machine_and_the_view_that_follows_it(motion_picture, sample):
     known: dict[float, dict[str, float]] = {}
     corners = machines(MACHINES)
-    for machine, compression in some(corners[1:2] + corners[-1:]):
+    for machine, compression in sample(corners[1:2] + corners[-1:]):
         far = 0.02 / machine.period
         start = released(machine, compression).phi
         for pushes in ({"X_dot": -0.2}, {"X_dot": 0.1}, {"Phi_dot": far / machine.radius}, {"phi_dot": -far}):
@@ -239,9 +239,9 @@ def check_arrows(arrows: dict, expected: dict, scale: dict) -> None:
         assert length(arrows[name]) == pytest.approx(float(value) * per_unit, abs=2 * HALF_A_PIXEL), name
 
 
-def test_every_body_is_painted_in_its_colour_with_a_density_that_grows_with_its_mass(bare, some):
+def test_every_body_is_painted_in_its_colour_with_a_density_that_grows_with_its_mass(bare, sample):
     """Compare pixels: a body's fill is a mixture of the background and its colour."""
-    for theme in some(["light", "dark"]):
+    for theme in sample(["light", "dark"]):
         check_paint(Picture(bare(theme=theme)), theme)
 
 
@@ -333,8 +333,8 @@ def test_the_verdict_names_the_leading_hand_only_after_the_release(picture):
 
 
 @ANY_ENGINE
-def test_nothing_below_the_stage_moves_for_any_machine(bare, some):
-    for options, width in some(product(({}, {"dials": False}), (1280, 390))):
+def test_nothing_below_the_stage_moves_for_any_machine(bare, sample):
+    for options, width in sample(product(({}, {"dials": False}), (1280, 390))):
         picture = Picture(bare(width=width, height=844), **options)
         seen = set()
         for machine, compression in machines(1)[1:4]:
@@ -384,7 +384,7 @@ def test_the_floor_is_as_wide_as_its_ruler_and_no_label_is_cut(picture):
 
 
 @ANY_ENGINE
-def test_no_letter_is_covered_by_an_arrow_or_another_letter(picture, some):
+def test_no_letter_is_covered_by_an_arrow_or_another_letter(picture, sample):
     """Check all layers at several moments, for the smallest and the largest machine."""
     picture.layers("energy", "arrows", "forces", "traces", "coordinates")
     boxes = f"""() => {{
@@ -398,7 +398,7 @@ def test_no_letter_is_covered_by_an_arrow_or_another_letter(picture, some):
         forces: named(".forces .line"),
       }};
     }}"""
-    for R, compression in some([(0.05, 0.04), (0.05, 0.12), (0.1, 0.08), (0.2, 0.12)]):
+    for R, compression in sample([(0.05, 0.04), (0.05, 0.12), (0.1, 0.08), (0.2, 0.12)]):
         picture.show(Oscillator(1.0, 0.8, 10.0, R), compression)
         for periods in (0.08, 0.6, 0.9):
             picture.at(periods)
@@ -437,13 +437,13 @@ def test_the_buttons_need_no_symbol_font(picture):
 
 
 @ANY_ENGINE
-def test_a_slider_s_thumb_changes_its_parameter_by_its_value(picture, some):
+def test_a_slider_s_thumb_changes_its_parameter_by_its_value(picture, sample):
     """Move each slider by two steps, without a server."""
     page = picture.page
     values = {"m": 2.0, "m_prime": 0.7, "k": 30.0, "radius": 8.0, "compression": 6.0}
     picture.bare.sliders(**values)
     picture.show(Oscillator(2.0, 0.7, 30.0, 0.08), 0.06)
-    for key, before in some(values.items()):
+    for key, before in sample(values.items()):
         thumb = f"document.querySelector('.st-key-{key} input')"
         page.evaluate(f"{thumb}.focus()")
         page.keyboard.press("ArrowRight")

@@ -68,9 +68,9 @@ def number(text: str) -> float:
 
 def exact(values: dict[str, float]) -> tuple[mpmath.mpf, mpmath.mpf]:
     """Return Ω² and k/m of a machine, from Kane's method, with 40 digits."""
-    given = {symbol: sp.Rational(values[name]) for symbol, name in ((m, "m"), (m_prime, "m_prime"), (k, "k"))}
+    parameters = {symbol: sp.Rational(values[name]) for symbol, name in ((m, "m"), (m_prime, "m_prime"), (k, "k"))}
     with mpmath.workdps(40):
-        return tuple(mpmath.mpf(each.subs(given).evalf(40)) for each in (natural_frequency_squared(), k / m))
+        return tuple(mpmath.mpf(each.subs(parameters).evalf(40)) for each in (natural_frequency_squared(), k / m))
 
 
 def test_the_file_is_small(file):

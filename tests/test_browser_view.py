@@ -161,9 +161,9 @@ def check_slides(page, count: int, full: float | None) -> None:
         if full:
             faults += page.evaluate(SENTENCES, [0.035, full]) + page.evaluate(SCROLLED)
         wrong += [(title, each) for each in faults]
-        laid = page.evaluate(LAYOUT)
-        fits = laid["visible"] == 1 and max(laid["over"], laid["wide"]) <= 2 and laid["filled"] > 1 / 3
-        wrong += [] if fits else [(title, laid)]
+        layout = page.evaluate(LAYOUT)
+        fits = layout["visible"] == 1 and max(layout["over"], layout["wide"]) <= 2 and layout["filled"] > 1 / 3
+        wrong += [] if fits else [(title, layout)]
         if slide < len(titles):
             page.locator(".st-key-pager .next").click()
             next_frame(page)

@@ -109,8 +109,8 @@ def test_a_database_server_behaves_like_a_file(test, server: Server) -> None:
     school = classes.Classes(server.address, clock)
     opened = school.open_class()
     school.ask(opened.key, "faster", OPTIONS)
-    given = {"school": school, "opened": opened, "clock": clock}
-    test(**{name: given[name] for name in inspect.signature(test).parameters})
+    fixtures = {"school": school, "opened": opened, "clock": clock}
+    test(**{name: fixtures[name] for name in inspect.signature(test).parameters})
 
 
 def test_a_missing_server_raises_a_sentence(monkeypatch: pytest.MonkeyPatch) -> None:

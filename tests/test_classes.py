@@ -497,7 +497,7 @@ def test_expired_class_is_deleted_with_all_its_rows(school, opened, clock):
     ):
         with pytest.raises(ClassError, match=r"has ended|may have ended"):
             act()
-    assert left(school) == {"class": 0, "question": 0, "voter": 0, "vote": 0}
+    assert count_rows(school) == {"class": 0, "question": 0, "voter": 0, "vote": 0}
 
 
 def test_closed_class_is_deleted_at_once(school, opened):
@@ -507,18 +507,18 @@ def test_closed_class_is_deleted_at_once(school, opened):
     school.close(opened.key)
     with pytest.raises(ClassError, match=r"has ended|may have ended"):
         school.read_question(opened.code)
-    assert left(school) == {"class": 1, "question": 0, "voter": 0, "vote": 0}
+    assert count_rows(school) == {"class": 1, "question": 0, "voter": 0, "vote": 0}
     assert school.read_question(other.code).present == 0
 
 
-def left(school: classes.Classes) -> dict[str, int]:
+def count_rows(school: classes.Classes) -> dict[str, int]:
     """Count the rows of each table, read directly from the database file."""
     file = sqlite3.connect(school._store.path)
     tables = ("class", "question", "voter", "vote")
     return {table: file.execute(f"SELECT COUNT(*) FROM {table}").fetchone()[0] for table in tables}
 
 
-def kept_bytes(school: classes.Classes) -> bytes:
+def stored_bytes(school: classes.Classes) -> bytes:
     """Return the content of all files of the database."""
     return b"".join(file.read_bytes() for file in school._store.path.parent.iterdir())
 
@@ -527,12 +527,12 @@ def test_delete_expired_overwrites_the_answers_and_creates_no_database(school, o
     seat = school.join(opened.code, "a voter with a long name", "10.0.0.7")
     school.vote(seat, "faster", "plain")
     lasting = school.open_class(30 * DAY)
-    assert seat.voter.encode() in kept_bytes(school)  # negative control
+    assert seat.voter.encode() in stored_bytes(school)  # negative control
     clock.now += DAY
     school.delete_expired()
-    assert seat.voter.encode() not in kept_bytes(school)
-    assert opened.code.encode() not in kept_bytes(school)
-    assert left(school) == {"class": 1, "question": 0, "voter": 0, "vote": 0}
+    assert seat.voter.encode() not in stored_bytes(school)
+    assert opened.code.encode() not in stored_bytes(school)
+    assert count_rows(school) == {"class": 1, "question": 0, "voter": 0, "vote": 0}
     assert school.read_expiry(lasting.code) == clock.now + 29 * DAY
     unused = classes.Classes(school._store.path.parent / "unused" / "classes.sqlite", clock)
     unused.delete_expired()
@@ -555,7 +555,7 @@ def test_lecturer_gets_a_class_during_a_flood_of_openings(school, opened, clock)
     for number in range(2 * CLASSES):
         clock.now += 0.1
         flood.append(school.open_class(address=f"10.0.{number // NETWORK_SEATS}.7"))
-    assert left(school)["class"] == CLASSES
+    assert count_rows(school)["class"] == CLASSES
     # The oldest classes without students have been deleted, including the lecturer's.
     assert school.find_code(flood[-1].key)
     for deleted in (lecture, flood[0]):

@@ -16,7 +16,7 @@ from ramanujan.derivation.rows import side_terms
 ROOT, HALF = sp.sqrt(1729), sp.Rational(1, 2)
 
 
-def shown(number: sp.Expr) -> str:
+def coefficient_in_latex(number: sp.Expr) -> str:
     """Return the LaTeX of a number that is the only coefficient of a formula."""
     return "".join(side_terms(number * m, Numbers(1.0, 1.0, 1.0)))
 
@@ -52,7 +52,7 @@ def test_a_rounded_decimal_is_near(p, q):
     ],
 )
 def test_a_number_is_printed_as_expected(number, text):
-    assert shown(number) == text
+    assert coefficient_in_latex(number) == text
 
 
 @mpmath.workdps(100)

@@ -30,7 +30,7 @@ def force_for(name):
     return harmonic if name == "implicit_midpoint" else pendulum
 
 
-def after(name, acceleration, q, v, h, steps):
+def state_after(name, acceleration, q, v, h, steps):
     """Return the state after a number of steps."""
     return next(islice(trajectory(METHODS[name], acceleration, q, v, h), steps - 1, None))
 
@@ -54,7 +54,7 @@ def test_observed_order(name):
     exact = exact.y[:, -1]
     n = STEPS_FOR_ORDER[order]
     coarse, fine = (
-        np.linalg.norm(np.array(after(name, acceleration, 1.0, 0.5, span / steps, steps)) - exact)
+        np.linalg.norm(np.array(state_after(name, acceleration, 1.0, 0.5, span / steps, steps)) - exact)
         for steps in (n, 2 * n)
     )
     assert math.log2(coarse / fine) == pytest.approx(order, abs=0.1)
@@ -65,7 +65,7 @@ def test_stability_limit(name):
     limit = METHODS[name].stability_limit
     z = np.geomspace(0.1, 10, 2400)  # the ratio of neighbours is 1.002, five times finer than the tolerance
     with np.errstate(over="ignore", invalid="ignore"):
-        q, v = after(name, harmonic, np.ones_like(z), np.zeros_like(z), z, 4000)
+        q, v = state_after(name, harmonic, np.ones_like(z), np.zeros_like(z), z, 4000)
     # Below the limit the amplitude stays of order one. At 1 % above the limit it exceeds 1e3 within 4000 steps.
     bounded = np.hypot(q, v) < 1e3
     if math.isinf(limit):
@@ -88,8 +88,8 @@ def test_symplectic_methods_preserve_area(name, z):
 
 @pytest.mark.parametrize("name", ALL)
 def test_reversibility(name):
-    q, v = after(name, force_for(name), 1.0, 0.3, 0.3, 200)
-    q, v = after(name, force_for(name), q, v, -0.3, 200)
+    q, v = state_after(name, force_for(name), 1.0, 0.3, 0.3, 200)
+    q, v = state_after(name, force_for(name), q, v, -0.3, 200)
     distance = math.hypot(q - 1.0, v - 0.3)
     if name in REVERSIBLE:
         assert distance < 1e-12

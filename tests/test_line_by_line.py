@@ -32,7 +32,7 @@ X_ddot, phi_ddot, Phi_ddot = ACCELERATIONS
 Lines = Callable[[str], list[sp.Eq]]
 
 
-def known(group: list[sp.Eq]) -> dict[sp.Basic, sp.Basic]:
+def substitutions(group: list[sp.Eq]) -> dict[sp.Basic, sp.Basic]:
     """Return left side → right side, for substitutions."""
     return {relation.lhs: relation.rhs for relation in group}
 
@@ -52,7 +52,7 @@ def lagrangian(at: Lines) -> list[sp.Expr]:
 
 
 def rates(at: Lines) -> list[sp.Expr]:
-    (function,), of = at("lagrangian"), known(at("momenta"))
+    (function,), of = at("lagrangian"), substitutions(at("momenta"))
     differences = []
     for rate, p, q in zip(at("rates"), MOMENTA, COORDINATES, strict=True):
         differences += [rate.lhs - of[p].diff(t), rate.rhs - function.rhs.diff(q)]
@@ -80,7 +80,7 @@ def elimination(at: Lines) -> list[sp.Expr]:
 def insertion(at: Lines) -> list[sp.Expr]:
     with_block, collected, *divided = at("insertion")
     return [
-        difference(with_block) - difference(at("motion")[1]).subs(known(at("elimination"))),
+        difference(with_block) - difference(at("motion")[1]).subs(substitutions(at("elimination"))),
         difference(collected) - difference(with_block),
         *(same_zero(e, with_block) for e in divided),
         *(difference(e).diff(phi_ddot) - 1 for e in divided),
@@ -128,7 +128,7 @@ def ratio(at: Lines) -> list[sp.Expr]:
 
 
 def close(at: Lines) -> list[sp.Expr]:
-    return [difference(at("close")[0]).subs(known(at("frequency")))]
+    return [difference(at("close")[0]).subs(substitutions(at("frequency")))]
 
 
 WALK = (lagrangian, momenta, rates, motion, elimination, insertion, frequency)

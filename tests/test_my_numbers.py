@@ -138,7 +138,7 @@ def random_moment(mass: mpmath.mpf, roller: mpmath.mpf, stiffness: mpmath.mpf, i
     return Moment(mass, roller, stiffness, R, q, q_dot)
 
 
-def of_bodies(letter: str, of: dict[str, mpmath.mpf]) -> dict[str, mpmath.mpf]:
+def body_values(letter: str, of: dict[str, mpmath.mpf]) -> dict[str, mpmath.mpf]:
     """Return quantities of bodies by their names in LaTeX."""
     return {rf"{letter}_{{\text{{{name}}}}}": value for name, value in of.items()}
 
@@ -172,13 +172,13 @@ def values_of_bodies(moment: Moment) -> dict[str, Number]:
     S = {n: (masses[n] * a[n] + inertia[n] * alpha[n] / R) / 2 for n in ("hoop", "cylinder")}
     F = {n: masses[n] * a[n] - S.get(n, 0) for n in inertia}
     return {
-        **of_bodies("v", v),
-        **of_bodies("a", a),
-        **of_bodies(r"\alpha", alpha),
-        **of_bodies("I", inertia),
-        **of_bodies("T", kinetic),
-        **of_bodies("S", S),
-        **of_bodies("F", F),
+        **body_values("v", v),
+        **body_values("a", a),
+        **body_values(r"\alpha", alpha),
+        **body_values("I", inertia),
+        **body_values("T", kinetic),
+        **body_values("S", S),
+        **body_values("F", F),
         "x": compression,
         "T": T,
         "U": U,
@@ -267,7 +267,7 @@ def hundred_digits() -> Iterator[None]:
 # The displayed equations
 
 
-def of_route(name: str, equal_masses: bool, numbers: Numbers | None) -> Iterator[tuple[str, str]]:
+def route_equations(name: str, equal_masses: bool, numbers: Numbers | None) -> Iterator[tuple[str, str]]:
     """Yield every equation that pages and files show of a route, with its step."""
     route = ROUTES.with_equal_masses(name) if equal_masses else ROUTES[name]
     keys = [step.key for step in route.steps]
@@ -302,10 +302,10 @@ def displayed(given: Masses | None) -> Iterator[tuple[str, str, bool, str]]:
     """
     numbers = Numbers(*given) if given else None
     for name in ROUTES:
-        yield from ((name, key, False, line) for key, line in of_route(name, False, numbers))
+        yield from ((name, key, False, line) for key, line in route_equations(name, False, numbers))
         if name == "euler_lagrange" or not given:
             equal = numbers and numbers.with_equal_masses
-            yield from ((name, key, True, line) for key, line in of_route(name, True, equal))
+            yield from ((name, key, True, line) for key, line in route_equations(name, True, equal))
     (shape, *_), momenta = page.spectrum.__wrapped__(numbers)
     yield from (("matrix", "", False, line) for line in (shape, *equations(momenta)))
     for (*_, key), step in zip(first_page.SUMMARY, first_page.summary.__wrapped__(numbers), strict=True):

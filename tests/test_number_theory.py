@@ -285,11 +285,11 @@ def kinds(value: object) -> set[type]:
 def test_integers_of_numpy_and_sympy_are_accepted(integer):
     one, n, quadratic = integer(1), integer(1729), tuple(map(integer, PAPER))
     machine = nt.BodyChoice(target=one)
-    given = [f(n) for f in (nt.factorization, nt.squarefree_part, nt.sums_of_two_cubes, nt.represent_x2_plus_3y2)]
-    given += [nt.unit_quadratic(one, Fraction(1, 2), Fraction(1, 2), one), nt.norm_coordinates(one), machine.target]
-    given += [nt.normalized_frequency_squared_exact(one, 0, 0, one), nt.convergents([one, one]), machine.discriminant]
-    given += [nt.discriminant(*quadratic), nt.continued_fraction(*quadratic, 9), nt.field_discriminant(n)]
-    assert kinds(given) == {int, Fraction, list, tuple}
+    results = [f(n) for f in (nt.factorization, nt.squarefree_part, nt.sums_of_two_cubes, nt.represent_x2_plus_3y2)]
+    results += [nt.unit_quadratic(one, Fraction(1, 2), Fraction(1, 2), one), nt.norm_coordinates(one), machine.target]
+    results += [nt.normalized_frequency_squared_exact(one, 0, 0, one), nt.convergents([one, one]), machine.discriminant]
+    results += [nt.discriminant(*quadratic), nt.continued_fraction(*quadratic, 9), nt.field_discriminant(n)]
+    assert kinds(results) == {int, Fraction, list, tuple}
 
 
 @pytest.mark.parametrize(

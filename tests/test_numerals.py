@@ -89,20 +89,20 @@ def test_the_page_and_python_write_the_same_numbers(mark, monkeypatch):
     monkeypatch.setattr(numerals, "DECIMAL", mark)
     _imports, script = modules.collect_files()["components/sentences.js"].decode().split('"./language.js";')
     script = f"const DECIMAL = '{mark}';{script}"
-    asked = {"values": VALUES, "digits": [1, 2, 4, 7], "places": [0, 1, 3]}
+    inputs = {"values": VALUES, "digits": [1, 2, 4, 7], "places": [0, 1, 3]}
     script += f"""
-const asked = {json.dumps(asked)};
+const inputs = {json.dumps(inputs)};
 console.log(JSON.stringify({{
-  number: asked.digits.map((digits) => asked.values.map((value) => number(value, digits))),
-  fixed: asked.places.map((places) => asked.values.map((value) => fixed(value, places))),
+  number: inputs.digits.map((digits) => inputs.values.map((value) => number(value, digits))),
+  fixed: inputs.places.map((places) => inputs.values.map((value) => fixed(value, places))),
   filled: fill("{{a}} before {{b}}", {{ a: 1, b: withUnit(fixed(-2, 1), "cm") }}),
 }}));"""
     done = subprocess.run([NODE, "-e", script], capture_output=True, text=True, check=True, timeout=60)
     results = json.loads(done.stdout)
     assert results["filled"] == f"1 before −2{mark}0\u202fcm"
-    for digits, texts in zip(asked["digits"], results["number"], strict=True):
+    for digits, texts in zip(inputs["digits"], results["number"], strict=True):
         assert texts == [numerals.number(value, digits) for value in VALUES]
-    for places, texts in zip(asked["places"], results["fixed"], strict=True):
+    for places, texts in zip(inputs["places"], results["fixed"], strict=True):
         # Beyond 1e21 JavaScript's own toFixed changes to powers; no such number is shown with fixed places. It rounds
         # the exact value, as Python does, but a tie away from zero.
         assert [a for a, v in zip(texts, VALUES, strict=True) if abs(v) < 1e15 and (v * 10**places * 2) % 2 != 1] == [

@@ -135,15 +135,15 @@ def test_a_line_has_the_order_of_a_textbook(place, line, numbers):
 
 
 def test_single_numbers_and_brackets_preserve_their_sign():
-    one, other = sp.symbols("m k", positive=True)
+    m, k = sp.symbols("m k", positive=True)
     cases = {
         sp.Mul(2, -1, evaluate=False): "−2",
-        sp.Mul(-1, one + other, evaluate=False): "−(k + m)",
-        sp.Mul(-2, -one - other, evaluate=False): "2(k + m)",
-        in_order(one, sp.Integer(-1), -other): "m − 1 − k",
-        sp.Mul(sp.Rational(1, 2), one + other, evaluate=False): "[k + m/2]",
-        one * (1 - sp.sqrt(3)): "−(√3 − 1)m",
-        -(one**2) / (2 * other): "−[m²/2k]",
+        sp.Mul(-1, m + k, evaluate=False): "−(k + m)",
+        sp.Mul(-2, -m - k, evaluate=False): "2(k + m)",
+        in_order(m, sp.Integer(-1), -k): "m − 1 − k",
+        sp.Mul(sp.Rational(1, 2), m + k, evaluate=False): "[k + m/2]",
+        m * (1 - sp.sqrt(3)): "−(√3 − 1)m",
+        -(m**2) / (2 * k): "−[m²/2k]",
     }
     for expression, text in cases.items():
         assert read(latex(expression)) == text, expression

@@ -61,7 +61,7 @@ def sent(app) -> str:
     return "\n".join(json.dumps(message, ensure_ascii=False) for message in visible)
 
 
-def fed(app) -> list[dict]:
+def stage_payloads(app) -> list[dict]:
     """Return the payloads of the stages on the page."""
     messages = [
         json.loads(e.proto.json)
@@ -133,8 +133,8 @@ def test_a_stop_reveals_its_motion_and_its_answer_only_on_request(opened, name):
     choose(app, name, wrong)
     page = sent(app)
     assert [text for text in giveaways if text in page] == []
-    before = app.button(key=f"on_{name}").label, fed(app), {text.value for text in app.markdown}
-    for machine in fed(app):
+    before = app.button(key=f"on_{name}").label, stage_payloads(app), {text.value for text in app.markdown}
+    for machine in stage_payloads(app):
         assert set(stop.hides) <= set(machine["hide"])
         assert not {"samples", "slipping"} & set(machine)
 
@@ -144,8 +144,10 @@ def test_a_stop_reveals_its_motion_and_its_answer_only_on_request(opened, name):
     assert reply in page
     assert right not in reply
     assert [text for text in explanation - {"prediction was"} if text in page] == []
-    assert len(fed(app)) == len(stop.runs)
-    assert not any(set(stop.hides) & set(machine["hide"]) - {"energy", "arrows", "forces"} for machine in fed(app))
+    assert len(stage_payloads(app)) == len(stop.runs)
+    assert not any(
+        set(stop.hides) & set(machine["hide"]) - {"energy", "arrows", "forces"} for machine in stage_payloads(app)
+    )
     sound(app.button(key=f"again_{name}").click().run())
     assert [text for text in giveaways if text in sent(app)] == []
 
@@ -170,7 +172,7 @@ SLOW = 60.0
 
 def check_button(app, stop, label: str, before: list[dict], words: set[str]) -> None:
     """Check that a button starts only a machine at rest, with a visible motion. Any other button shows new content."""
-    after = fed(app)
+    after = stage_payloads(app)
     starts = "motion" in before[0]["hide"] and "motion" not in after[0]["hide"] and stop.runs[0].machine.period < SLOW
     layers = set(before[0]["hide"]) & set(stage.LAYERS) - set(after[0]["hide"])
     exhibits = [text.value for text in app.markdown if text.value not in words and text.value.startswith(("$$", "```"))]
@@ -180,13 +182,13 @@ def check_button(app, stop, label: str, before: list[dict], words: set[str]) -> 
 
 def test_the_observed_machines_are_those_of_the_stop(opened):
     app = opened(stop="steps", chosen="steps.euler")
-    euler, verlet = fed(app)
+    euler, verlet = stage_payloads(app)
     assert len(euler["samples"]["q"]) > len(verlet["samples"]["q"]) == 201
     app = opened(stop="contact", chosen="contact.top_block")
-    assert fed(app)[0]["slipping"] == "hoop_slab"
+    assert stage_payloads(app)[0]["slipping"] == "hoop_slab"
     app = opened(stop="other-body", chosen="other-body.same")
-    assert fed(app)[0]["parameters"]["beta_top"] == 0.4
-    swings, glides, rolls = fed(opened(stop="zero-modes", chosen="zero-modes.one"))
+    assert stage_payloads(app)[0]["parameters"]["beta_top"] == 0.4
+    swings, glides, rolls = stage_payloads(opened(stop="zero-modes", chosen="zero-modes.one"))
     assert "initial" not in swings
     assert [key for each in (glides, rolls) for key, value in each["initial"].items() if value] == ["X_dot", "Phi_dot"]
 
@@ -195,13 +197,13 @@ def test_the_sliders_have_the_machine_of_the_stop_and_can_be_moved(opened):
     app = opened(stop="heavy-rollers")
     assert app.slider(key="m_prime").value == 5.0
     sound(app.slider(key="m_prime").set_value(4.0).run())
-    assert fed(app)[0]["parameters"]["m_prime"] == 4.0
+    assert stage_payloads(app)[0]["parameters"]["m_prime"] == 4.0
     assert any("You have changed the machine." in text.value for text in app.markdown)
     # The prediction is about the machine of the stop.
     go_on(choose(app, "heavy-rollers", "plain"), "heavy-rollers")
     assert app.slider(key="m_prime").value == 5.0
     sound(app.slider(key="m_prime").set_value(3.0).run())
-    assert fed(app)[0]["parameters"]["m_prime"] == 3.0
+    assert stage_payloads(app)[0]["parameters"]["m_prime"] == 3.0
 
 
 def test_a_machine_is_shown_exactly_in_step_only_after_the_prediction(opened):
@@ -213,7 +215,7 @@ def test_a_machine_is_shown_exactly_in_step_only_after_the_prediction(opened):
 
 def test_a_link_hides_parts_of_every_stage(opened):
     for address in ({"stop": "zero-modes", "chosen": "zero-modes.two"}, {"part": "tasks", "task": "in-step"}):
-        stages = fed(opened(**address, hide="plain,arrows"))
+        stages = stage_payloads(opened(**address, hide="plain,arrows"))
         assert stages
         assert all({"plain", "arrows"} <= set(value["hide"]) for value in stages), address
 
@@ -239,8 +241,10 @@ def test_the_short_lesson_has_six_stops_and_an_end_with_the_answers(opened):
     assert len(short) == 6
     assert sum(stop.minutes for stop in short) <= 20
     first, second, *others = short
-    made = f"{first.id}.{first.answer()}~{second.id}.{other_than(second)}~{others[0].id}.{others[0].answer()}.predicted"
-    app = opened(stops="short", stop="end", chosen=made)
+    predictions = (
+        f"{first.id}.{first.answer()}~{second.id}.{other_than(second)}~{others[0].id}.{others[0].answer()}.predicted"
+    )
+    app = opened(stops="short", stop="end", chosen=predictions)
     shown = "\n".join(text.value for text in app.markdown)
     assert "You answered 2 of 6 questions. Your prediction was right at 1 of them." in shown
     assert f"You predicted: {second.options[other_than(second)]}" in shown
@@ -278,7 +282,7 @@ def test_every_task_without_a_text_box_is_judged_when_it_opens(opened, name):
     assert app.title[0].value == lesson.find_task(name).heading
     waits = not {"part", "seconds", "formula"}.isdisjoint(lesson.find_task(name).fields)
     assert any("Not yet." in text.value for text in app.markdown) != waits
-    for machine in fed(app):
+    for machine in stage_payloads(app):
         assert set(lesson.find_task(name).hides) == set(machine.get("hide", ()))
 
 

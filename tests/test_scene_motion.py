@@ -64,13 +64,15 @@ def test_the_verdict_names_the_contact_and_the_compression(app, mu, compression)
 def test_the_stage_marks_the_slipping_contact_only_beyond_the_model(monkeypatch, app):
     from ramanujan.browser import stage
 
-    given = []
+    payload_options = []
     monkeypatch.setattr(
-        stage, "payload", lambda *args, original=stage.payload, **more: given.append(more) or original(*args, **more)
+        stage,
+        "payload",
+        lambda *args, original=stage.payload, **more: payload_options.append(more) or original(*args, **more),
     )
     open_page(app, mu=0.03, glide=4.0, spin=1.0)
-    assert given[-1]["slipping"] == "hoop_slab"
-    assert (given[-1]["initial"].X_dot, given[-1]["initial"].Phi_dot) == (-0.04, 1.0)
+    assert payload_options[-1]["slipping"] == "hoop_slab"
+    assert (payload_options[-1]["initial"].X_dot, payload_options[-1]["initial"].Phi_dot) == (-0.04, 1.0)
     for glide in (4.0, 0.0):
         app.slider(key="glide").set_value(glide).run()
         (alternative,) = (alt for alt in charts(app) if alt.startswith("Displacements"))
@@ -78,7 +80,7 @@ def test_the_stage_marks_the_slipping_contact_only_beyond_the_model(monkeypatch,
         assert ("The whole machine glides" in alternative) == (glide > 0)
         assert "The top cylinder drifts" in alternative
     app.slider(key="mu").set_value(1.0).run()
-    assert given[-1]["slipping"] is None
+    assert payload_options[-1]["slipping"] is None
 
 
 def test_the_bars_show_the_required_friction(app):

@@ -169,8 +169,8 @@ def test_an_old_message_does_not_undo_a_preset(app, moved, kept):
     """The message contains the old m′, unless the user has moved that slider since."""
     app.run()
     app.pills(key="preset").set_value("light").run()
-    heard = app.slider(key="update_seen").value
-    app.slider(key="update_seen").set_value(heard - 1)
+    last_received = app.slider(key="update_seen").value
+    app.slider(key="update_seen").set_value(last_received - 1)
     app.slider(key="m_prime").set_value(moved)
     app.slider(key="k").set_value(20.0).run()
     assert (values(app)["m_prime"], values(app)["k"]) == (kept, 20.0)

@@ -27,8 +27,8 @@ from ramanujan.pages.motion import cache, files
 motion = cache.record.__wrapped__(Oscillator(2.5, 1.0, 10.0), 0.08, 0.04, -1.3)
 stop = lesson.STOPS[0]
 votes = {option: number for number, option in enumerate(stop.options)}
-asked = [ClassResult(stop.id, 1764000000.0, 7, votes, None), ClassResult(stop.id, 1764000900.0, 7, votes, votes)]
-print(json.dumps([files.sheet(motion, 0.2, [("m [kg]", 2.5)]), write_spreadsheet(asked)]))
+results = [ClassResult(stop.id, 1764000000.0, 7, votes, None), ClassResult(stop.id, 1764000900.0, 7, votes, votes)]
+print(json.dumps([files.sheet(motion, 0.2, [("m [kg]", 2.5)]), write_spreadsheet(results)]))
 """
 LOCALES = {"en": 1033, "hu": 1038}
 """Language → LibreOffice's number of its locale."""
@@ -40,7 +40,7 @@ TYPE, VALUE = (f"{{urn:oasis:names:tc:opendocument:xmlns:office:1.0}}{name}" for
 
 
 @functools.cache
-def made(language: str) -> tuple[str, str]:
+def write_files(language: str) -> tuple[str, str]:
     """Return the files of a motion and of a class, from a server in this language."""
     environment = os.environ | {"RAMANUJAN_LANGUAGE": language}
     done = subprocess.run([sys.executable, "-c", FILES], cwd=ROOT, env=environment, capture_output=True, check=True)
@@ -59,7 +59,7 @@ def cells(file: Path) -> list[ET.Element]:
 
 @pytest.mark.parametrize("language", ["en", "hu"])
 def test_a_spreadsheet_has_all_numbers_and_words_of_its_language(language):
-    motion, votes = made(language)
+    motion, votes = write_files(language)
     comma = language != "en"
     assert motion.startswith("\ufeff")
     rows = list(csv.reader(io.StringIO(motion.removeprefix("\ufeff"), newline=""), delimiter=";" if comma else ","))
@@ -77,7 +77,7 @@ def test_a_spreadsheet_has_all_numbers_and_words_of_its_language(language):
 @pytest.mark.skipif(not shutil.which("soffice"), reason="LibreOffice is not installed")
 @pytest.mark.parametrize("language", LOCALES)
 def test_libreoffice_reads_every_number_as_a_number(language, tmp_path):
-    motion, votes = made(language)
+    motion, votes = write_files(language)
     separator = ord("," if language == "en" else ";")
     for name, text in (("motion", motion), ("votes", votes)):
         (tmp_path / f"{name}.csv").write_text(text, encoding="utf-8", newline="")

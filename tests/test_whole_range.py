@@ -26,7 +26,7 @@ def expressions():
     return derived(derived_machine()) | {"loads": loads}
 
 
-def true(group, machine, *state, **others):
+def true_values(group, machine, *state, **others):
     """Return the values of a group of expressions of the derivation, with 60 digits."""
     values = []
     for expression in expressions()[group].values():
@@ -47,7 +47,7 @@ def test_every_frequency_within_5_ulp_or_an_error():
         ratios = [mp.mpf(m_prime) / m, mp.mpf(k) / m]
         # The constructor raises for some of these parameters, so the exact values are computed for a stand-in.
         stand_in = type("Machine", (), {"m": m, "m_prime": m_prime, "k": k, "radius": 1.0})()
-        squared = true("frequency squared", stand_in)[0]
+        squared = true_values("frequency squared", stand_in)[0]
         if all(sys.float_info.min < value < sys.float_info.max for value in (*ratios, squared)):
             machine = core.Oscillator(m, m_prime, k)
             for value, truth in (
@@ -89,7 +89,9 @@ def test_every_quantity_of_a_state(group):
         # With these signs all terms of a sum have the same sign. The result is the scale of the rounding errors.
         apart = [abs(each) * [-1, 1, 1] for each in (q, v)]
         values = np.ravel(QUANTITIES[group](machine, q, v))
-        for value, truth, scale in zip(values, true(group, machine, q, v), true(group, machine, *apart), strict=True):
+        for value, truth, scale in zip(
+            values, true_values(group, machine, q, v), true_values(group, machine, *apart), strict=True
+        ):
             assert abs(value - truth) <= 1e-14 * abs(scale)
 
 
@@ -97,7 +99,7 @@ def test_every_quantity_of_a_state(group):
 def test_the_state_at_any_time(periods, error):
     rng = np.random.default_rng(11)
     for machine in machines(30, 3):
-        shape, squared = true("mode shape", machine), true("frequency squared", machine)[0]
+        shape, squared = true_values("mode shape", machine), true_values("frequency squared", machine)[0]
         omega = mp.sqrt(squared)
         start, rate = rng.normal(size=(2, 3)) * [[0.1, 0.4, 2.0]] * [[1.0], [machine.natural_frequency]]
         initial, t = core.InitialState(*start.tolist(), *rate.tolist()), periods * machine.period * rng.uniform(0.1, 1)
@@ -128,7 +130,7 @@ def test_the_motion_conserves_energy_and_both_momenta():
 @pytest.mark.parametrize("t", 10.0 ** np.arange(-150, 0, 21))
 def test_shortly_after_a_release_the_block_has_full_precision(t):
     machine = core.Oscillator(1.3, 0.7, 25.0, 0.12)
-    shape, squared = true("mode shape", machine), true("frequency squared", machine)[0]
+    shape, squared = true_values("mode shape", machine), true_values("frequency squared", machine)[0]
     initial = core.released(machine, 0.08)
     X, _phi, Phi = core.motion(machine, initial, float(t))[0]
     with mp.workdps(400):
@@ -145,10 +147,10 @@ def test_loads_and_required_friction():
         needed = dict.fromkeys(CONTACTS, mp.mpf(0))
         for phi in (A / machine.radius, -A / machine.radius):
             q = (0.0, phi, 0.0)
-            loads = dict(zip(CONTACTS, true("loads", machine, q, L=spacing, g=g), strict=True))
+            loads = dict(zip(CONTACTS, true_values("loads", machine, q, L=spacing, g=g), strict=True))
             for name, load in core.normal_forces(machine, q, g, spacing).items():
                 assert abs(load - loads[name]) <= 1e-13 * (machine.m + machine.m_prime) * g
-            for name, force in zip(CONTACTS, true("forces", machine, q), strict=False):
+            for name, force in zip(CONTACTS, true_values("forces", machine, q), strict=False):
                 needed[name] = max(needed[name], abs(force) / loads[name])
         for name, value in core.required_friction(machine, 2 * A, g, spacing).items():
             assert abs(value / needed[name] - 1) <= 1e-13

@@ -54,7 +54,7 @@ FACTORS = [2, half, 3, sp.Rational(1, 3), sp.Rational(3, 2), sp.Rational(7, 5), 
 
 
 @cache
-def shown(monomial: sp.Expr) -> str:
+def spell_as_verdict(monomial: sp.Expr) -> str:
     """Return a product of names in the spelling of a verdict."""
     powers = monomial.as_powers_dict()
     return "".join(SHOWN[s] + {1: "", 2: "²", 3: "³"}[powers[s]] for s in SHOWN if s in powers)
@@ -104,7 +104,7 @@ def factor_of(text: str) -> sp.Expr:
     return sp.sympify(text, locals={"m": m, "mp": mp, "R": R, "k": k})
 
 
-def true_hint(name: str, message: str, given: sp.Expr) -> bool:
+def hint_is_true(name: str, message: str, given: sp.Expr) -> bool:
     """Return whether a formula is the one that a hint describes."""
     also_half = message.endswith(" A factor ½ is missing as well.")
     for point in points():
@@ -178,7 +178,7 @@ def _rotation(name: str) -> sp.Expr:
     return half * beta * mass * R**2 * rate**2
 
 
-def true_difference(message: str, term: str, ratio: sp.Expr, right_coefficient: sp.Expr) -> bool:
+def difference_is_true(message: str, term: str, ratio: sp.Expr, right_coefficient: sp.Expr) -> bool:
     """Return whether a verdict names a term and describes its error correctly. Its coefficient is off by `ratio`."""
     place = r"(?: in the (?:numerator|denominator))?"
     of_term = rf"Your coefficient of {re.escape(term)}{place}"
@@ -211,7 +211,7 @@ def true_difference(message: str, term: str, ratio: sp.Expr, right_coefficient: 
     return False
 
 
-def true_one_term(message: str, given: sp.Expr, above: sp.Expr, below: sp.Expr) -> bool:
+def one_term_is_true(message: str, given: sp.Expr, above: sp.Expr, below: sp.Expr) -> bool:
     """Return whether a fraction with a right numerator or denominator differs only in the named term."""
     for place, yours, right in (("numerator", given * below, above), ("denominator", above / given, below)):
         other = {"numerator": "denominator", "denominator": "numerator"}[place]
@@ -219,11 +219,13 @@ def true_one_term(message: str, given: sp.Expr, above: sp.Expr, below: sp.Expr) 
             continue
         yours, right = sp.cancel(yours).expand().as_coefficients_dict(), right.expand().as_coefficients_dict()
         (term,) = (each for each in {*yours, *right} if yours[each] != right[each])
-        return true_difference(message, f"{shown(term)} in the {place}", yours[term] / right[term], right[term])
+        return difference_is_true(
+            message, f"{spell_as_verdict(term)} in the {place}", yours[term] / right[term], right[term]
+        )
     return False
 
 
-def true_multiple(message: str, ratio: sp.Expr) -> bool:
+def multiple_is_true(message: str, ratio: sp.Expr) -> bool:
     """Return whether a verdict states the correct ratio of the given answer to the right one."""
     match = re.search(r"Your answer is (.+?) the right one\.", message)
     if match:
@@ -270,8 +272,8 @@ def test_an_altered_coefficient_and_an_extra_term_get_a_true_verdict(name: str) 
         text = typed(spoiled_text(ENERGIES[name], term, ratio, source), source)
         verdict = judge(name, text)
         assert verdict.kind == "wrong", text
-        is_true = true_difference(verdict.message, shown(monomial), ratio, right[monomial])
-        hinted = not is_true and true_hint(name, verdict.message, ENERGIES[name] + (ratio - 1) * term)
+        is_true = difference_is_true(verdict.message, spell_as_verdict(monomial), ratio, right[monomial])
+        hinted = not is_true and hint_is_true(name, verdict.message, ENERGIES[name] + (ratio - 1) * term)
         hints += hinted
         assert is_true or hinted, (text, verdict.message)
         assert "exact number agrees" not in verdict.message
@@ -284,8 +286,8 @@ def test_an_altered_coefficient_and_an_extra_term_get_a_true_verdict(name: str) 
         given = ENERGIES[name] + source.choice([-1, 1]) * coefficient * extra
         verdict = judge(name, typed(text_of(given), source))
         assert verdict.kind == "wrong"
-        sentence = f"Your answer contains a term with {shown(extra)}. The right answer has none."
-        assert sentence in verdict.message or true_hint(name, verdict.message, given), (given, verdict.message)
+        sentence = f"Your answer contains a term with {spell_as_verdict(extra)}. The right answer has none."
+        assert sentence in verdict.message or hint_is_true(name, verdict.message, given), (given, verdict.message)
 
 
 # Spoiled equations
@@ -314,7 +316,9 @@ def test_an_equation_is_right_up_to_a_factor_and_an_altered_term_is_named(name: 
             times = re.search(r"Your constant term is (.+?) the right one\.", verdict.message)
             is_true = factor_of(times[1]) == off if times else re.search(sentence, verdict.message) and off <= 0
         else:
-            is_true = true_difference(verdict.message, shown(monomial), off, sp.expand(factor * right[monomial]))
+            is_true = difference_is_true(
+                verdict.message, spell_as_verdict(monomial), off, sp.expand(factor * right[monomial])
+            )
         hints += not is_true
         assert is_true or "if " in verdict.message or "term with ε is missing" in verdict.message, (spoiled, verdict)
     assert hints < COUNT / 3
@@ -340,8 +344,8 @@ def test_the_altered_part_of_a_fraction_is_named(name: str) -> None:
         verdict = judge(name, typed(f"({texts[0]})/({texts[1]})", source))
         assert verdict.kind == "wrong"
         number, product = term.as_coeff_Mul()
-        where = f"{shown(product)} in the {('numerator', 'denominator')[place]}"
-        is_true = f"right {('denominator', 'numerator')[place]}" in verdict.message and true_difference(
+        where = f"{spell_as_verdict(product)} in the {('numerator', 'denominator')[place]}"
+        is_true = f"right {('denominator', 'numerator')[place]}" in verdict.message and difference_is_true(
             verdict.message, where, ratio, number
         )
         if is_true:
@@ -349,20 +353,22 @@ def test_the_altered_part_of_a_fraction_is_named(name: str) -> None:
         spoiled = [above, below]
         spoiled[place] = part + (ratio - 1) * term
         given = spoiled[0] / spoiled[1]
-        if true_multiple(verdict.message, sp.cancel(given * below / above)) or true_hint(name, verdict.message, given):
+        if multiple_is_true(verdict.message, sp.cancel(given * below / above)) or hint_is_true(
+            name, verdict.message, given
+        ):
             continue
-        if true_one_term(verdict.message, given, above, below):
+        if one_term_is_true(verdict.message, given, above, below):
             continue
         # The spoiled fraction cancels to a simpler one. It is right for special masses at most.
         assert sp.fraction(sp.cancel(given))[1].as_poly(m, mp).total_degree() < below.as_poly(m, mp).total_degree() or (
             sp.fraction(sp.cancel(given))[0].as_poly(m, mp).total_degree() < above.as_poly(m, mp).total_degree()
         ), (given, verdict.message)
-        assert true_special_masses(verdict.message, given, above / below), (given, verdict.message)
+        assert special_masses_are_true(verdict.message, given, above / below), (given, verdict.message)
         vague += 1
     assert vague <= COUNT / 20
 
 
-def true_special_masses(message: str, given: sp.Expr, right: sp.Expr) -> bool:
+def special_masses_are_true(message: str, given: sp.Expr, right: sp.Expr) -> bool:
     difference = sp.cancel(given - right)
     if "Your answer is right for equal masses" in message:
         return difference.subs(mp, m) == 0
@@ -453,14 +459,14 @@ def test_negative_control_a_false_sentence_is_detected() -> None:
     """Negative control: the checks reject sentences that are nearly true."""
     sentence = "Your coefficient of X′φ′ is twice the right one."
     right = -mp * R
-    assert true_difference(sentence, "X′φ′", sp.Integer(2), right)
-    assert not true_difference(sentence, "X′φ′", sp.Integer(3), right)
-    assert not true_difference(sentence, "X′²", sp.Integer(2), right)
-    assert not true_difference("Your coefficient of X′φ′ should be positive.", "X′φ′", sp.Integer(-1), right)
+    assert difference_is_true(sentence, "X′φ′", sp.Integer(2), right)
+    assert not difference_is_true(sentence, "X′φ′", sp.Integer(3), right)
+    assert not difference_is_true(sentence, "X′²", sp.Integer(2), right)
+    assert not difference_is_true("Your coefficient of X′φ′ should be positive.", "X′φ′", sp.Integer(-1), right)
     hint = next(hint for hint in HINTED if "leave out the rotation of the hoop" in hint)
-    assert true_hint("kinetic_energy_hoop", hint, half * mp * (R * phid - Xd) ** 2)
-    assert not true_hint("kinetic_energy_hoop", hint, half * mp * (R * phid + Xd) ** 2)
-    assert not true_hint("kinetic_energy_cylinder", hint, half * mp * Xd**2)
+    assert hint_is_true("kinetic_energy_hoop", hint, half * mp * (R * phid - Xd) ** 2)
+    assert not hint_is_true("kinetic_energy_hoop", hint, half * mp * (R * phid + Xd) ** 2)
+    assert not hint_is_true("kinetic_energy_cylinder", hint, half * mp * Xd**2)
 
 
 def test_every_question_is_covered() -> None:
