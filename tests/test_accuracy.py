@@ -13,8 +13,8 @@ from hypothesis import strategies as st
 
 from ramanujan import Oscillator
 from ramanujan.accuracy.choices import measure_chord_errors
-from ramanujan.accuracy.extremes import FORMS, extremes
-from ramanujan.accuracy.general_solvers import SOLVERS, eigen_solvers
+from ramanujan.accuracy.extremes import FORMS, sweep_forms
+from ramanujan.accuracy.general_solvers import SOLVERS, sweep_solvers
 from ramanujan.accuracy.measurement import measure
 from ramanujan.accuracy.phase import phase_errors
 from ramanujan.accuracy.runs import error_history, seconds_per_step
@@ -165,7 +165,7 @@ def test_cheapest_is_sorted_and_within_the_tolerance(curves):
 
 @cache
 def all_sweeps():
-    return {(s.form, s.dtype, s.sweep_name): s for s in extremes()}
+    return {(s.form, s.dtype, s.sweep_name): s for s in sweep_forms()}
 
 
 @pytest.fixture
@@ -224,7 +224,7 @@ def test_errors_agree_with_exact_fractions(form, sample, along):
 
 
 def test_eigen_solvers_find_the_mode_but_not_two_zeros():
-    results = {(s.solver, s.dtype): s for s in eigen_solvers()}
+    results = {(s.solver, s.dtype): s for s in sweep_solvers()}
     assert {solver for solver, _ in results} == set(SOLVERS)
     for sweep in results.values():
         assert np.nanmax(sweep.error_ulp) < 32  # a solver for 3×3 matrices uses dozens of operations

@@ -314,7 +314,7 @@ def test_a_tiny_addition_is_not_overlooked(name, size, root):
 
 
 @pytest.mark.parametrize(
-    "altered", machines.altered_machines()[::7], ids=lambda each: f"{each.mistake.id} {each.group}"
+    "altered", machines.list_altered_machines()[::7], ids=lambda each: f"{each.mistake.id} {each.group}"
 )
 def test_altered_machines_match_the_route_of_the_page(altered):
     """Compare SymPy's solution of the altered equations of motion with the judge's numerical one."""
@@ -430,7 +430,7 @@ def test_negative_control_false_hints_fail(monkeypatch):
 
 def test_mistakes_about_bodies_change_the_machine_and_end_in_a_question():
     assert len({mistake.id for mistake in machines.MISTAKES}) == len(machines.MISTAKES)
-    for altered in machines.altered_machines():
+    for altered in machines.list_altered_machines():
         assert altered.machine != machines.right_machine()
         assert re.fullmatch(r"[A-Z][^.?]*\. [A-Z][^.?]*\?", altered.hint)
 
@@ -442,7 +442,9 @@ def test_each_result_has_one_mistake(name):
     for mistakes_with_values in (question.values_of_slips, question.values_of_body_mistakes):
         for (first_hint, first), (second_hint, second) in combinations(mistakes_with_values, 2):
             assert not agree(first, second), (first_hint, second_hint)
-    results = [(altered.mistake, question.find_answer_for(altered.machine)) for altered in machines.altered_machines()]
+    results = [
+        (altered.mistake, question.find_answer_for(altered.machine)) for altered in machines.list_altered_machines()
+    ]
     with_values = [(mistake, question.evaluate(result)) for mistake, result in results if result not in (None, 0)]
     for hint, values in question.values_of_body_mistakes:
         kinds = {mistake.id for mistake, wrong_values in with_values if agree(values, wrong_values)}

@@ -11,7 +11,7 @@ import mpmath
 import pytest
 import sympy as sp
 
-from ramanujan.browser.stage.formulas import formulas as stage_formulas
+from ramanujan.browser.stage.formulas import collect_formulas as stage_formulas
 from ramanujan.derivation import ROUTES
 from ramanujan.derivation.model import COORDINATES, VELOCITIES, Phi, R, X, k, m, m_prime, phi, t
 from ramanujan.derivation.newton import contact_forces as derived_contact_forces

@@ -18,7 +18,7 @@ from streamlit.testing.v1 import AppTest
 
 from ramanujan import Oscillator, lesson
 from ramanujan.accuracy.exact import frequency_squared
-from ramanujan.accuracy.extremes import FORMS, extremes
+from ramanujan.accuracy.extremes import FORMS, sweep_forms
 from ramanujan.accuracy.measurement import Timing
 from ramanujan.accuracy.phase import phase_errors
 from ramanujan.accuracy.runs import error_history
@@ -240,7 +240,7 @@ def test_simultaneous_requests_share_one_computation_and_measurements_take_turns
 
 def test_a_strip_shows_where_its_form_is_right_and_its_other_results(app):
     app.run()
-    sweeps = [s for s in extremes() if (s.sweep_name, s.dtype) == ("scale", "float64")]
+    sweeps = [s for s in sweep_forms() if (s.sweep_name, s.dtype) == ("scale", "float64")]
     strips = {FORMS[sweep.form].title: verdicts.strip(sweep) for sweep in sweeps}
     for sweep, parts in zip(sweeps, strips.values(), strict=True):
         # A strip covers the whole range without a gap, and agrees with the sweep at every sample.

@@ -151,7 +151,7 @@ def _from_hint(name: str, message: str, point: dict[str, Fraction]) -> Fraction 
     return Fraction(str(by_the_inverse_matrix(machine, at_point)[name]))
 
 
-HINTED = {altered.hint: altered.machine for altered in machines.altered_machines()}
+HINTED = {altered.hint: altered.machine for altered in machines.list_altered_machines()}
 SPELLED = dict(zip((*model.VELOCITIES, model.m, model.m_prime, model.k, model.R, *model.COORDINATES),
                    ("X'", "phi'", "Phi'", "m", "m'", "k", "R", "X", "phi", "Phi"), strict=True))  # fmt: skip
 

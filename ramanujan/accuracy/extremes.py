@@ -109,14 +109,14 @@ class Sweep:
         return stretches
 
 
-def extremes() -> list[Sweep]:
+def sweep_forms() -> list[Sweep]:
     """Return the values and errors of all forms along all sweeps.
 
     Returns
     -------
     one `Sweep` for each sweep name, dtype and form, in this order
 
-    >>> sweep, *_ = extremes()
+    >>> sweep, *_ = sweep_forms()
     >>> [stretch.verdict for stretch in sweep.stretches]
     ['right', 'zero']
     """

@@ -53,14 +53,14 @@ class EigenSweep:
         return np.any(is_negative | is_complex, axis=1)
 
 
-def eigen_solvers() -> list[EigenSweep]:
+def sweep_solvers() -> list[EigenSweep]:
     """Return the results of all eigenvalue solvers over the mass ratio.
 
     Returns
     -------
     one `EigenSweep` for each dtype and solver, in this order
 
-    >>> len(eigen_solvers()) == len(DECADES) * len(SOLVERS)
+    >>> len(sweep_solvers()) == len(DECADES) * len(SOLVERS)
     True
     """
     sweeps: list[EigenSweep] = []

@@ -170,12 +170,12 @@ class _Reader:
                 is_typed_fraction = is_number(factors[-1]) and is_number(factor.value)
                 ends_at_space = (is_bracket or is_number(factor.value)) and self.is_space_next
                 is_unambiguous = is_typed_fraction or ends_at_space
-                factors.append(_power(factor.value, sp.S.NegativeOne))
-                shown = unbracketed = _fraction(shown, unbracketed, factor)
+                factors.append(_make_power(factor.value, sp.S.NegativeOne))
+                shown = unbracketed = _write_fraction(shown, unbracketed, factor)
             else:
                 is_unambiguous = is_unambiguous or sign == "*"
                 factors.append(factor.value)
-                shown = unbracketed = _side_by_side(shown, factor.unsigned)
+                shown = unbracketed = _write_product(shown, factor.unsigned)
         return _Part(sp.Mul(*factors, evaluate=False), shown, unbracketed)
 
     def factor(self) -> _Part:
@@ -187,11 +187,11 @@ class _Reader:
         if self.next == "^":
             self.take()
             exponent, shown = self.exponent()
-            factor = _Part(_power(factor.value, exponent), f"{factor.base}^{{{shown}}}")
+            factor = _Part(_make_power(factor.value, exponent), f"{factor.base}^{{{shown}}}")
         return _Part(_negate(factor.value), f"- {factor.shown}") if is_negative else factor
 
     def exponent(self) -> tuple[sp.Rational, str]:
-        part = self._nested(self.factor)
+        part = self._read_nested(self.factor)
         typed_leaves = leaves(part.value)
         numbers = {leaf: sp.Rational(str(leaf)) for leaf in typed_leaves if is_number(leaf)}
         has_only_numbers = len(numbers) == len(typed_leaves)
@@ -211,11 +211,11 @@ class _Reader:
         if token == "sqrt":
             return self.root()
         if token == "frac":
-            above, below = self._nested(self.primary), self._nested(self.primary)
-            quotient = sp.Mul(above.value, _power(below.value, sp.S.NegativeOne), evaluate=False)
-            return _Part(quotient, _fraction(above.shown, above.unbracketed, below))
+            above, below = self._read_nested(self.primary), self._read_nested(self.primary)
+            quotient = sp.Mul(above.value, _make_power(below.value, sp.S.NegativeOne), evaluate=False)
+            return _Part(quotient, _write_fraction(above.shown, above.unbracketed, below))
         if token == "(":
-            inside = self._nested(self.sum)
+            inside = self._read_nested(self.sum)
             if self.take() != ")":
                 raise UnreadableError(_("There is an opening bracket without a closing bracket."))
             self._refuse_number(_("A number follows a bracket. Put it in front, or write ^ for a power."))
@@ -230,17 +230,17 @@ class _Reader:
     def root(self) -> _Part:
         """Return a root. Refuse √2m, in which the end of the root is unclear."""
         is_bracket = self.next == "("
-        under = self._nested(self.primary)
+        under = self._read_nested(self.primary)
         if not is_bracket and not self.is_space_next and self._starts_a_factor():
             raise UnreadableError(_("Where does the root end? Put what is under it in brackets."))
-        return _Part(_power(under.value, sp.S.Half), rf"\sqrt{{{under.unbracketed}}}")
+        return _Part(_make_power(under.value, sp.S.Half), rf"\sqrt{{{under.unbracketed}}}")
 
     def _refuse_number(self, refusal: str) -> None:
         """Raise an error with this message if a number follows without a space."""
         if is_number(self.next) and not self.is_space_next:
             raise UnreadableError(refusal)
 
-    def _nested(self, read: Callable[[], _Part]) -> _Part:
+    def _read_nested(self, read: Callable[[], _Part]) -> _Part:
         """Return the result of `read`, which parses the next nested part.
 
         Raises
@@ -263,7 +263,7 @@ def _negate(expression: sp.Expr) -> sp.Expr:
     return -expression if expression.is_Rational else sp.Mul(sp.S.NegativeOne, expression, evaluate=False)
 
 
-def _power(base: sp.Expr, exponent: sp.Rational) -> sp.Expr:
+def _make_power(base: sp.Expr, exponent: sp.Rational) -> sp.Expr:
     return sp.Pow(base, exponent, evaluate=False)
 
 
@@ -271,7 +271,7 @@ def _add_brackets(shown: str) -> str:
     return rf"\left({shown}\right)"
 
 
-def _fraction(above: str, unbracketed: str, below: _Part) -> str:
+def _write_fraction(above: str, unbracketed: str, below: _Part) -> str:
     """Return a fraction as LaTeX. A minus sign of the numerator is written before the fraction.
 
     Parameters
@@ -284,7 +284,7 @@ def _fraction(above: str, unbracketed: str, below: _Part) -> str:
     return rf"{sign}\frac{{{unsigned}}}{{{below.unbracketed}}}"
 
 
-def _side_by_side(before: str, after: str) -> str:
+def _write_product(before: str, after: str) -> str:
     """Return two factors as LaTeX, with a dot before a number or a fraction, which would otherwise look attached."""
     needs_dot = after.lstrip("{").startswith((*".0123456789", r"\frac"))
     sign = r" \cdot " if needs_dot else r"\,"

@@ -204,10 +204,10 @@ def _explain_rounding(question: Question, typed: sp.Expr) -> str | None:
         if units <= _HALF:
             return _("An exact number agrees with your decimal number to the last digit. What is the exact number?")
         return _("The last digit of your decimal number is off by one unit. What is the exact number?")
-    return _explain_rounded_mistake(question, typed, min(map(_significant_digits, numbers)))
+    return _explain_rounded_mistake(question, typed, min(map(_count_significant_digits, numbers)))
 
 
-def _significant_digits(decimal: sp.Symbol) -> int:
+def _count_significant_digits(decimal: sp.Symbol) -> int:
     return len(decimal.name.replace(".", "").lstrip("0"))
 
 

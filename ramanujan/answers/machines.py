@@ -210,7 +210,7 @@ MISTAKES = (
 
 
 @cache
-def altered_machines() -> tuple[AlteredMachine, ...]:
+def list_altered_machines() -> tuple[AlteredMachine, ...]:
     """Return an altered machine for each mistake and each of its groups of bodies.
 
     Machines that equal the right one are left out.
@@ -218,14 +218,14 @@ def altered_machines() -> tuple[AlteredMachine, ...]:
     machines = []
     for mistake in MISTAKES:
         for group in mistake.groups:
-            bodies = (_change(body, mistake, group.split()) for body in right_machine().bodies)
+            bodies = (_apply_mistake(body, mistake, group.split()) for body in right_machine().bodies)
             altered = AlteredMachine(mistake, group, Machine(tuple(bodies)))
             if altered.machine != right_machine():
                 machines.append(altered)
     return tuple(machines)
 
 
-def _change(body: Body, mistake: Mistake, names: list[str]) -> Body:
+def _apply_mistake(body: Body, mistake: Mistake, names: list[str]) -> Body:
     return replace(body, **mistake.change(body)) if body.name in names else body
 
 
@@ -286,30 +286,30 @@ def solve(name: str, machine: Machine, factors: Mapping[tuple[int, int], int] = 
     machine : the right or an altered machine
     factors : row and column of an entry of M → its factor, for a slip in the elimination
     """
-    matrix = [[_in_units(entry) for entry in row] for row in mass_matrix(machine)]
+    matrix = [[_convert_to_units(entry) for entry in row] for row in mass_matrix(machine)]
     for (row, column), factor in factors.items():
         matrix[row][column] *= factor
     # Without a top cylinder the Φ equation is empty. This entry makes Φ̈ zero.
     matrix[2][2] = matrix[2][2] or _DOMAIN.one
-    stiffness = _in_units(k * _gradient(machine.deformation)[1] ** 2)
+    stiffness = _convert_to_units(k * _gradient(machine.deformation)[1] ** 2)
     try:
         column = DomainMatrix(matrix, (3, 3), _DOMAIN).lu_solve(_FORCE_ON_PHI)
     except DMNonInvertibleMatrixError:
         return None
     X_entry, phi_entry, Phi_entry = column.to_list_flat()
     if name == "block_coupling":
-        return _quotient(X_entry, phi_entry, R)
+        return _divide(X_entry, phi_entry, R)
     if name == "top_coupling":
-        return _quotient(Phi_entry, phi_entry, sp.S.One)
+        return _divide(Phi_entry, phi_entry, sp.S.One)
     if name == "phi_equation":
         # The answer is the factor of φ̈ if the last term is 4kRφ, instead of the stiffness times φ.
-        return _quotient(4 * matrix[1][1], stiffness, m * R)
+        return _divide(4 * matrix[1][1], stiffness, m * R)
     if name in ("unit_quadratic", "unit_mass_ratio"):
         return _solve_condition(name, stiffness * phi_entry)
     return k / m * (stiffness * phi_entry).as_expr()
 
 
-def _quotient(numerator: FracElement, denominator: FracElement, unit: sp.Expr) -> sp.Expr | None:
+def _divide(numerator: FracElement, denominator: FracElement, unit: sp.Expr) -> sp.Expr | None:
     """Return a quotient times its unit, None if it divides by zero."""
     return unit * (numerator / denominator).as_expr() if denominator else None
 
@@ -325,7 +325,7 @@ def _solve_condition(name: str, squared: FracElement) -> sp.Expr | None:
     return condition.as_expr() if len(condition.terms()) > 1 else None
 
 
-def _in_units(expression: sp.Expr) -> FracElement:
+def _convert_to_units(expression: sp.Expr) -> FracElement:
     """Return an expression in units of m, k and R, with ε for m′."""
     return _DOMAIN.from_sympy(sp.sympify(expression).xreplace(_UNITS))
 

@@ -162,7 +162,7 @@ class Question:
     def values_of_body_mistakes(self) -> Mistakes:
         """Hint and values of each mistake in bodies, unless different mistakes have the same values."""
         groups: list[tuple[Values, list[AlteredMachine]]] = []
-        for altered in machines.altered_machines():
+        for altered in machines.list_altered_machines():
             values = self._values_of_mistake(self.find_answer_for(altered.machine))
             if values:
                 _add_to_group(groups, values, altered)

@@ -53,14 +53,14 @@ def evaluate(expression: sp.Expr, values: Mapping[sp.Expr, PreciseNumber]) -> Pr
     if expression.is_Mul:
         return _MP.fprod(evaluate(part, values) for part in expression.args)
     if expression.is_Add:
-        return _sum([evaluate(part, values) for part in expression.args])
+        return _add_up([evaluate(part, values) for part in expression.args])
     if expression.is_Pow:
         return _compute_power(evaluate(expression.base, values), expression.exp)
     number = sp.Rational(str(expression))
     return _MP.mpf(number.p) / number.q
 
 
-def _sum(parts: list[PreciseNumber]) -> PreciseNumber:
+def _add_up(parts: list[PreciseNumber]) -> PreciseNumber:
     """Return a sum, exactly zero if the parts cancel up to rounding errors."""
     total = _MP.fsum(parts)
     if any(abs(total) < _VANISHING * abs(part) for part in parts):

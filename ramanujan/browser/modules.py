@@ -22,7 +22,7 @@ import streamlit as st
 
 from ramanujan.browser.components.words import TEXTS
 from ramanujan.browser.stage import words
-from ramanujan.browser.stage.formulas import formulas, labels
+from ramanujan.browser.stage.formulas import collect_formulas, collect_labels
 from ramanujan.derivation.printers import javascript
 from ramanujan.numerals import DECIMAL
 
@@ -39,11 +39,11 @@ def collect_files() -> dict[str, bytes]:
     patterns = ("**/*.js", *(f"components/{name}.css" for name in sheets), "**/*.woff2")
     paths = [path for pattern in patterns for path in sorted(_HERE.glob(pattern))]
     components = sorted(f"components/{path.stem}" for path in paths if path.match("components/*.js"))
-    sentences = {**words.SENTENCES, **labels(), "slips": words.SLIPS, "bodies": words.BODIES}
+    sentences = {**words.SENTENCES, **collect_labels(), "slips": words.SLIPS, "bodies": words.BODIES}
     generated = {
         "components/language.js": f'export const DECIMAL = "{DECIMAL}";',
         "markup.js": markup(["stage/stage", *components]),
-        "stage/formulas.js": f"export const FORMULAS = {javascript(formulas())};",
+        "stage/formulas.js": f"export const FORMULAS = {javascript(collect_formulas())};",
         "stage/texts.js": f"export const WORDS = {json.dumps(sentences, ensure_ascii=False)};\n"
         f"export const LIGHT = {json.dumps(_light_colors())};",
     }
@@ -85,7 +85,7 @@ def markup(names: Iterable[str], appended: str = "") -> str:
     for name in names:
         short = name.rpartition("/")[2]
         if name == "stage/stage":
-            html = _markup(name, words.TEXTS, layer_boxes=_layer_boxes())
+            html = _markup(name, words.TEXTS, layer_boxes=_write_layer_boxes())
         else:
             html = _markup(f"components/{_MARKUP.get(short, short)}", TEXTS.get(short, {}))
         parts[name] = html + appended if html else ""
@@ -99,7 +99,7 @@ def _markup(name: str, texts: dict[str, str], **parts: str) -> str:
     return f"<style>{_read_text(_COMMON)}{style}</style>{html}" if style else html
 
 
-def _layer_boxes() -> str:
+def _write_layer_boxes() -> str:
     """Return the tick boxes of the stage's layers as HTML."""
     return "".join(
         f'<label data-layer="{layer}" title="{escape(description)}"><input type="checkbox" /> {escape(title)}</label>'

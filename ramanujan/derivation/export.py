@@ -91,7 +91,7 @@ def to_latex(route: Route, numbers: Numbers | None = None) -> str:
     symbols = f"\\section*{{{heading}}}\n\\begin{{itemize}}\n{entries}\\end{{itemize}}\n{prose_to_latex(DOTS)}\n"
     body = "".join(_latex_section(step, numbers) for step in route.steps)
     title = f"\\title{{{prose_to_latex(TITLE.format(route=route.title))}}}\n\\author{{}}\n\\date{{}}\n"
-    opening = f"\\begin{{document}}\n\\maketitle\n{prose_to_latex(_number_paragraph(numbers))}{symbols}"
+    opening = f"\\begin{{document}}\n\\maketitle\n{prose_to_latex(_write_number_paragraph(numbers))}{symbols}"
     return f"{_PREAMBLE}{_WORDS}{title}{opening}{body}\\end{{document}}\n"
 
 
@@ -124,7 +124,7 @@ def to_markdown(route: Route, numbers: Numbers | None = None) -> str:
     route : one of `ROUTES`, in symbols
     numbers : the machine's numbers; None for a result in symbols
     """
-    opening = f"# {TITLE.format(route=route.title)}\n\n{_number_paragraph(numbers)}{_list_symbols(route)}"
+    opening = f"# {TITLE.format(route=route.title)}\n\n{_write_number_paragraph(numbers)}{_list_symbols(route)}"
     sections = (_markdown_section(n, step, numbers) for n, step in enumerate(route.steps, start=1))
     return "\n\n".join([opening, *sections]) + "\n"
 
@@ -138,9 +138,9 @@ def to_notebook(route: Route, numbers: Numbers | None = None) -> str:
     numbers : the machine's numbers, which the last cells insert; None for no such cells
     """
     cells = [
-        _cell("title", "markdown", f"# {TITLE.format(route=route.title)}\n\n{_BODIES}"),
-        _cell("symbols", "markdown", _list_symbols(route)),
-        _cell("bodies", "code", BODIES),
+        _make_cell("title", "markdown", f"# {TITLE.format(route=route.title)}\n\n{_BODIES}"),
+        _make_cell("symbols", "markdown", _list_symbols(route)),
+        _make_cell("bodies", "code", BODIES),
     ]
     parts = [(key, f"## {route[key].heading}\n\n{route[key].reason}", code) for key, code in route.cells.items()]
     parts.append(("check", f"## {_CHECKED}\n\n{_CHECK}", CHECK))
@@ -148,9 +148,9 @@ def to_notebook(route: Route, numbers: Numbers | None = None) -> str:
         parts.append(("values", f"## {_WITH_NUMBERS}\n\n{state_numbers(numbers)}", _assign_numbers(numbers)))
         parts.append(("distance", _DISTANCE, DISTANCE))
     for key, text, code in parts:
-        cells += [_cell(key, "markdown", text), _cell(key, "code", code)]
+        cells += [_make_cell(key, "markdown", text), _make_cell(key, "code", code)]
     if numbers:
-        cells.append(_cell("numbers", "code", FREQUENCY))
+        cells.append(_make_cell("numbers", "code", FREQUENCY))
     kernel = {"display_name": "Python 3", "language": "python", "name": "python3"}
     notebook = {"cells": cells, "metadata": {"kernelspec": kernel}, "nbformat": 4, "nbformat_minor": 5}
     return json.dumps(notebook, ensure_ascii=False, indent=1) + "\n"
@@ -225,7 +225,7 @@ def _list_symbols(route: Route) -> str:
     return "\n".join([f"**{_SYMBOLS}**", "", *entries, "", DOTS])
 
 
-def _number_paragraph(numbers: Numbers | None) -> str:
+def _write_number_paragraph(numbers: Numbers | None) -> str:
     return f"{state_numbers(numbers)}\n\n" if numbers else ""
 
 
@@ -235,7 +235,7 @@ def _assign_numbers(numbers: Numbers) -> str:
     return f"values = {{{pairs}}}\nvalues"
 
 
-def _cell(key: str, kind: str, source: str) -> dict[str, object]:
+def _make_cell(key: str, kind: str, source: str) -> dict[str, object]:
     cell: dict[str, object] = {"cell_type": kind, "id": f"{key}-{kind}", "metadata": {}, "source": source}
     if kind == "code":
         cell |= {"execution_count": None, "outputs": []}

@@ -32,7 +32,7 @@ def legendre_transform(bodies: Machine) -> tuple[dict[sp.Expr, sp.Expr], dict[sp
     lagrangian = bodies.lagrangian
     momenta = {p: lagrangian.diff(v) for p, v in zip(MOMENTA, VELOCITIES, strict=True)}
     solved = sp.hessian(lagrangian, VELOCITIES).inv() * sp.Matrix(MOMENTA)
-    velocities = {v: _one_fraction(value) for v, value in zip(VELOCITIES, solved, strict=True)}
+    velocities = {v: _gather_in_one_fraction(value) for v, value in zip(VELOCITIES, solved, strict=True)}
     # T is quadratic in the velocities, so Σ p q̇ = 2T and Σ p q̇ − ℒ = ½ Σ p q̇ + U. No expansion is necessary.
     twice_kinetic = sum(p * velocities[v] for p, v in zip(MOMENTA, VELOCITIES, strict=True))
     kinetic = gather(twice_kinetic / 2, MOMENTA)
@@ -54,7 +54,7 @@ def reduce_to_one_degree(hamiltonian: sp.Expr) -> tuple[sp.Expr, sp.Expr, sp.Exp
     linear = hamiltonian.diff(p_phi).subs(p_phi, 0)
     effective_mass = sp.factor(1 / (2 * square * R**2))
     shift = sp.factor(linear / (2 * square))
-    return effective_mass, shift, _one_fraction(constant - linear**2 / (4 * square))
+    return effective_mass, shift, _gather_in_one_fraction(constant - linear**2 / (4 * square))
 
 
 @ROUTES.add("hamilton")
@@ -222,14 +222,14 @@ def _invert_momenta(momenta: dict[sp.Expr, sp.Expr]) -> tuple[sp.Eq, ...]:
     constant_of_X = p_X_without_Phi.subs({X_dot: 0, phi_dot: 0})
     constant_of_phi = p_phi_without_X.subs(phi_dot, 0)
     return (
-        equation(Phi_dot, _one_fraction(solved_Phi_dot, VELOCITIES)),
+        equation(Phi_dot, _gather_in_one_fraction(solved_Phi_dot, VELOCITIES)),
         equation(p_X - sp.factor(constant_of_X), gather(p_X_without_Phi - constant_of_X)),
-        equation(X_dot, _one_fraction(solved_X_dot, VELOCITIES)),
+        equation(X_dot, _gather_in_one_fraction(solved_X_dot, VELOCITIES)),
         equation(p_phi - sp.factor(constant_of_phi), gather(p_phi_without_X - constant_of_phi)),
     )
 
 
-def _one_fraction(polynomial: sp.Expr, others: tuple[sp.Expr, ...] = ()) -> sp.Expr:
+def _gather_in_one_fraction(polynomial: sp.Expr, others: tuple[sp.Expr, ...] = ()) -> sp.Expr:
     """Return a polynomial in the momenta and other symbols over one denominator, with a gathered numerator."""
     unknowns = MOMENTA + others
     numerator, denominator = sp.fraction(sp.together(gather(polynomial, unknowns)))

@@ -162,9 +162,9 @@ def _root_step(forms: RatioForms) -> Step:
         ),
         equation(forms.quadratic, sp.Integer(0)),
         equation(in_order(4 * a**2 * epsilon**2, 4 * a * b * epsilon), -4 * a * c),
-        equation(square.lhs, _sum_of_cubes(*paper_pair)),
+        equation(square.lhs, _write_sum_of_cubes(*paper_pair)),
         square,
-        equation(square.lhs, _sum_of_cubes(*other_pair)),
+        equation(square.lhs, _write_sum_of_cubes(*other_pair)),
         equation(epsilon, forms.condition.root),
         marks=("", "right 1", "left 1, right 2", "", "", ""),
         operations=(
@@ -179,7 +179,7 @@ def _root_step(forms: RatioForms) -> Step:
     return replace(general, variant=lambda _numbers: _distance_step(general, forms.condition))
 
 
-def _sum_of_cubes(smaller: int, larger: int) -> sp.Expr:
+def _write_sum_of_cubes(smaller: int, larger: int) -> sp.Expr:
     return in_order(sp.Pow(larger, 3, evaluate=False), sp.Pow(smaller, 3, evaluate=False))
 
 

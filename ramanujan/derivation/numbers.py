@@ -126,7 +126,7 @@ def _simplify_root(number: sp.Expr) -> sp.Expr:
     """Return a number with fractions and one square root as p + r√n. SymPy's `radsimp` takes thirty times as long."""
     (root,) = {power for power in number.atoms(sp.Pow) if power.exp == sp.Rational(1, 2)}
     # In this field the element `unit` is √n.
-    field = _field(root)
+    field = _quadratic_field(root)
 
     def element(part: sp.Expr) -> Any:
         """Return a part of the number as an element of the field of all p + r√n."""
@@ -142,7 +142,7 @@ def _simplify_root(number: sp.Expr) -> sp.Expr:
 
 
 @cache
-def _field(root: sp.Pow) -> Any:
+def _quadratic_field(root: sp.Pow) -> Any:
     return sp.QQ.algebraic_field(root)
 
 
@@ -173,13 +173,13 @@ def is_unit_ratio(mass: float, roller_mass: float) -> bool:
     >>> is_unit_ratio(1.0, UNIT_MASS_RATIO), is_unit_ratio(1.0, 1.127256827)
     (True, False)
     """
-    root = _root()
+    root = _unit_ratio_to_fifty_digits()
     product = root * Fraction(repr(float(mass)))
     return roller_mass in (float(root) * mass, float(product)) or mass == roller_mass / float(root)
 
 
 @cache
-def _root() -> Fraction:
+def _unit_ratio_to_fifty_digits() -> Fraction:
     """Return ε* to fifty digits, which suffices to round products with floats correctly."""
     return Fraction(str(sp.N(unit_frequency_condition().root, 50)))
 

@@ -164,12 +164,12 @@ _LETTER_SIZE = 26
 """The size of letters for Plotly's layout [px]; type.css does not change it, and projector.css sets 20 to 39 px."""
 
 
-def in_large_print(figure: BaseFigure) -> EncodedFigure:
+def enlarge_letters(figure: BaseFigure) -> EncodedFigure:
     """Return the figure with room for large letters, at any height.
 
     >>> from ramanujan.figures import encode_figure
     >>> sent = encode_figure([], {"height": 620, "yaxis": {"title": {"text": "displacement relative to the block"}}})
-    >>> layout = in_large_print(sent).to_dict()["layout"]
+    >>> layout = enlarge_letters(sent).to_dict()["layout"]
     >>> layout["height"], layout["yaxis"]["title"]["text"]
     (400, 'displacement relative<br>to the block')
     """

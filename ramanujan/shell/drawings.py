@@ -6,7 +6,7 @@ from typing import Any
 import streamlit as st
 from plotly.basedatatypes import BaseFigure
 
-from ramanujan.figures import in_large_print
+from ramanujan.figures import enlarge_letters
 from ramanujan.shell import display_mode
 from ramanujan.translation import LANGUAGE, _
 
@@ -43,7 +43,7 @@ def plot(figure: BaseFigure, key: str, alt: str, *, config: dict[str, Any] = STI
     is_projector = display_mode.is_projector()
     download = {"toImageButtonOptions": {"format": "svg", "filename": f"ramanujan-{key}", "scale": 3}}
     st.plotly_chart(
-        in_large_print(figure) if is_projector else figure,
+        enlarge_letters(figure) if is_projector else figure,
         height="stretch" if is_projector else "content",
         theme=None,
         key=key,

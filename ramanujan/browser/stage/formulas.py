@@ -17,7 +17,7 @@ SHAPE_FACTORS = {"hoop": float(model.HOOP), "cylinder": float(model.SOLID_CYLIND
 """β of the paper's rollers."""
 
 
-def formulas() -> dict[str, Any]:
+def collect_formulas() -> dict[str, Any]:
     """Return name → expression for every expression that the stage evaluates, for rollers of any shape."""
     shape_factors = {name: sp.Symbol(f"beta_{name}", positive=True) for name in SHAPE_FACTORS}
     bodies = machine(**shape_factors)
@@ -61,7 +61,7 @@ def formulas() -> dict[str, Any]:
     }
 
 
-def labels() -> dict[str, Any]:
+def collect_labels() -> dict[str, Any]:
     """Return the expressions shown in the picture, as text."""
     bodies = machine()
     return {

@@ -55,10 +55,10 @@ def html() -> str:
     script = 'import "ramanujan/standalone/page.js";'
     slots = {
         "title": _("Ramanujan’s oscillator"),
-        "question": _bold(texts.question()),
+        "question": _convert_bold(texts.question()),
         "machine": _("The machine"),
         "curve_heading": texts.CURVE_HEADING,
-        "curve_text": _with_formulas(texts.CURVE_TEXT),
+        "curve_text": _convert_formulas(texts.CURVE_TEXT),
         "curve_alt": escape(texts.curve_alternative(condition)),
         "curve_hint": texts.CURVE_HINT,
         "steps_heading": texts.STEPS_HEADING,
@@ -76,14 +76,14 @@ def html() -> str:
 def _list_imports() -> dict[str, str]:
     """Return name → `data:` address of each module that the page needs."""
     contents = {name: content.decode() for name, content in modules.collect_files().items() if name.endswith(".js")}
-    contents["markup.js"] = modules.markup(_MARKUP, f"<style>{_contrast()}</style>")
+    contents["markup.js"] = modules.markup(_MARKUP, f"<style>{_write_contrast_rules()}</style>")
     waiting = ["standalone/page.js", *(f"{name}.js" for name in _MARKUP)]
     addresses: dict[str, str] = {}
     while waiting:
         name = waiting.pop()
         if name in contents and f"ramanujan/{name}" not in addresses:
             script = _with_absolute_imports(name, _COMMENT.sub("", contents[name]))
-            addresses[f"ramanujan/{name}"] = _address(script)
+            addresses[f"ramanujan/{name}"] = _make_data_address(script)
             waiting += re.findall(r'["`]ramanujan/([^"`]+)', script)
     return addresses
 
@@ -94,7 +94,7 @@ def _with_absolute_imports(name: str, script: str) -> str:
     return _IMPORT.sub(lambda path: posixpath.normpath(posixpath.join(folder, path[0])), script)
 
 
-def _address(script: str) -> str:
+def _make_data_address(script: str) -> str:
     """Return the `data:` address of a script."""
     return "data:text/javascript;charset=utf-8," + quote(script, safe=" !$&'()*+,-./:;=?@[]^_`{|}~>")
 
@@ -165,22 +165,22 @@ def _describe_curve() -> dict[str, Any]:
 def _write_steps() -> Iterator[str]:
     """Yield the six steps of the derivation, with their results in MathML."""
     for step in first_page.summary(None):
-        results = "".join(f"<div>{_mathml(result)}</div>" for result in step.results)
+        results = "".join(f"<div>{_convert_to_mathml(result)}</div>" for result in step.results)
         yield f"<li><h3>{escape(step.heading)}</h3>{results}</li>"
 
 
-def _bold(text: str) -> str:
+def _convert_bold(text: str) -> str:
     """Convert bold words from Markdown to HTML."""
     return re.sub(r"\*\*(.*?)\*\*", r"<b>\1</b>", escape(text))
 
 
-def _with_formulas(text: str) -> str:
+def _convert_formulas(text: str) -> str:
     """Convert the formulas of a text to MathML."""
     parts = text.split("$")
-    return "".join(_mathml(part) if i % 2 else escape(part) for i, part in enumerate(parts))
+    return "".join(_convert_to_mathml(part) if i % 2 else escape(part) for i, part in enumerate(parts))
 
 
-def _mathml(latex: str) -> str:
+def _convert_to_mathml(latex: str) -> str:
     """Return a formula as MathML, with large fractions. A placeholder protects m′, which the converter would split."""
     # Chromium adds a wide space beside parentheses that can grow. These formulas do not need such parentheses.
     fixed = latex.replace(r"\left", "").replace(r"\right", "")
@@ -199,12 +199,12 @@ def _write_style() -> str:
     fonts = re.sub(
         r"url\(fonts/(.*?)\)", lambda match: _embed_font(contents[f"standalone/{match[1]}"]), "\n".join(rules)
     )
-    light, dark = (f":root {{ {_colors(theme)} }}" for theme in ("light", "dark"))
+    light, dark = (f":root {{ {_write_colors(theme)} }}" for theme in ("light", "dark"))
     themes = f"{light}\n@media (prefers-color-scheme: dark) {{ {dark} }}"
-    return "\n".join([fonts, themes, _page_css(), _contrast()])
+    return "\n".join([fonts, themes, _read_page_css(), _write_contrast_rules()])
 
 
-def _contrast() -> str:
+def _write_contrast_rules() -> str:
     """Return the style sheet for forced colours with its media query."""
     return f"@media (forced-colors: active) {{ {modules.collect_files()['components/contrast.css'].decode()} }}"
 
@@ -213,13 +213,13 @@ def _embed_font(content: bytes) -> str:
     return f"url(data:font/woff2;base64,{b64encode(content).decode()})"
 
 
-def _colors(theme: str) -> str:
+def _write_colors(theme: str) -> str:
     """Return the colours of a theme that the file uses, as custom properties with Streamlit's names."""
-    style_sheets = modules.collect_files()["markup.js"].decode() + _page_css()
+    style_sheets = modules.collect_files()["markup.js"].decode() + _read_page_css()
     colors = modules.theme_colors(theme, style_sheets)
     colors["--st-widget-border-color"] = colors["--st-border-color"]
     return " ".join(f"{name}: {color};" for name, color in colors.items())
 
 
-def _page_css() -> str:
+def _read_page_css() -> str:
     return (_HERE / "page.css").read_text(encoding="utf-8")

@@ -22,8 +22,8 @@ from ramanujan.accuracy.choices import (
     measure_closed_form,
     seconds_per_reduction,
 )
-from ramanujan.accuracy.extremes import Sweep, extremes
-from ramanujan.accuracy.general_solvers import EigenSweep, eigen_solvers
+from ramanujan.accuracy.extremes import Sweep, sweep_forms
+from ramanujan.accuracy.general_solvers import EigenSweep, sweep_solvers
 from ramanujan.accuracy.measurement import Timing
 from ramanujan.accuracy.phase import PhaseErrors, phase_errors
 from ramanujan.accuracy.runs import error_history, seconds_per_step
@@ -139,7 +139,7 @@ def forget_seconds() -> None:
 @responsive()
 def sweeps() -> tuple[list[Sweep], list[EigenSweep]]:
     """Return the errors of the forms of Ω², and of the eigen-solvers, over the range of floating point."""
-    return extremes(), eigen_solvers()
+    return sweep_forms(), sweep_solvers()
 
 
 @dataclass(frozen=True)
