@@ -23,7 +23,7 @@ LARGEST_DECADE = 15
 
 @dataclass(frozen=True)
 class PhaseErrors:
-    """The largest phase error [rad] of each method at 16 times in the period after `periods` periods.
+    """The largest phase error [rad] of each method at 16 moments of the period after `periods` periods.
 
     Parameters
     ----------

@@ -112,7 +112,7 @@ class _Part:
 
 
 class _Reader:
-    """A recursive-descent parser; `next` is the next token, None at the end."""
+    """A recursive-descent parser with a method for each rule of the grammar; `next` is the next token or None."""
 
     def __init__(self, tokens: list[tuple[Token, bool]]) -> None:
         self._tokens = [*tokens, (None, False)]

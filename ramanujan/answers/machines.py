@@ -70,7 +70,7 @@ class Mistake:
     example: tuple[str, str]
 
     @property
-    def is_of_inertia(self) -> bool:
+    def changes_only_inertia(self) -> bool:
         """Whether the mistake changes only moments of inertia."""
         return self.id == "no_rotation" or self.id.startswith("inertia")
 
@@ -241,7 +241,7 @@ def find_common_hint(alternatives: Sequence[AlteredMachine]) -> str | None:
     if has_same_mistake and all(smallest.bodies <= altered.bodies for altered in alternatives):
         return smallest.hint
     lower_rollers = frozenset(_LOWER.split())
-    if all(altered.mistake.is_of_inertia and altered.bodies <= lower_rollers for altered in alternatives):
+    if all(altered.mistake.changes_only_inertia and altered.bodies <= lower_rollers for altered in alternatives):
         return _("You get this result with other moments of inertia of the lower rollers. What are they?")
     return None
 

@@ -187,7 +187,7 @@ def compute_rounding_error(expression: sp.Expr, target: Values) -> PreciseNumber
 
     In place of the decimal, the exact number makes the formula equal to the target at all points. The rounding error is
     the difference between both numbers. Return None if no exact number exists within one and a half units. Return None
-    also if the exact number has no more digits than the decimal: 0.6 instead of ½ is wrong, not rounded.
+    also if the exact number has no more digits than the decimal: 0.6 instead of 0.5 is wrong, not rounded.
     """
     for decimal in find_decimals(expression):
         _whole, _point, places = decimal.name.partition(".")

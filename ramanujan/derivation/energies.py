@@ -119,7 +119,7 @@ def _sum_step(bodies: Machine) -> Step:
 
 
 def energies_step(bodies: Machine, reason: str) -> Step:
-    """Return the step to T as a sum over the bodies and with like terms collected, and to U."""
+    """Return the step with T as a sum over the bodies, T with like terms collected, and U."""
     return step(
         "energies",
         _("Add up the energies"),

@@ -16,7 +16,7 @@ from ramanujan.translation import _
 
 
 def close_to_one_step(normalized: sp.Expr) -> Step:
-    """Return the paper's remark on equal masses: Ω²m/k is close to 1."""
+    """Return the step with the paper's remark on equal masses: Ω²m/k is close to 1."""
     compared = step(
         "close",
         _("Compare with the plain mass"),

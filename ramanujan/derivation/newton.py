@@ -113,8 +113,7 @@ def solve_free_bodies(bodies: Machine) -> FreeBodies:
 def contact_forces(bodies: Machine | None = None) -> dict[str, sp.Expr]:
     """Return the friction ON each roller, to the right, in terms of φ̈ [N].
 
-    Keys are hoop_slab, cylinder_slab, hoop_block, cylinder_block, top_block; on the slab and on the block the same
-    forces act to the left.
+    Keys are hoop_slab, cylinder_slab, hoop_block, cylinder_block, top_block. The opposite forces act on slab and block.
 
     >>> contact_forces()["top_block"]
     -2*R*m*(m + m_prime)*Derivative(varphi(t), (t, 2))/(7*m + 6*m_prime)

@@ -45,7 +45,7 @@ class Step:
     marks: tuple[str, ...] = ()
 
     def for_numbers(self, numbers: Numbers | None) -> "Step":
-        """Return the variant of the step for the numbers of a machine, still in symbols; without numbers, the step."""
+        """Return the variant of the step for the numbers of a machine, still in symbols, or the step itself."""
         return self.variant(numbers) if numbers and self.variant else self
 
     def _repr_markdown_(self) -> str:

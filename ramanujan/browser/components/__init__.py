@@ -75,7 +75,7 @@ def mount_services(theme: str, needs_second_run: bool, on_moving: Callable[[], N
 
 
 def publish(key: str, topics: Mapping[str, Any]) -> Any:
-    """Publish values on the bus of the page. After a change only these values are sent.
+    """Publish values on the bus of the page. A change of these values does not send any other element again.
 
     Parameters
     ----------

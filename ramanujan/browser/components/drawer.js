@@ -13,7 +13,7 @@ export default function ({ parentElement }, signal) {
   let scrollBefore = null; // scroll position before the drawer scrolled to the machine
   let pullStart = null;
 
-  const setOpen = (open, scrolls = true) => {
+  const setOpen = (open, { scrolls = true } = {}) => {
     root.dataset.drawer = open ? "open" : "closed";
     button.setAttribute("aria-expanded", String(open));
     if (!scrolls || !narrow.matches) return;
@@ -28,7 +28,7 @@ export default function ({ parentElement }, signal) {
     }
   };
   // A page begins with a closed drawer, so that the text is visible.
-  setOpen(false, false);
+  setOpen(false, { scrolls: false });
   bus.subscribe("sliders", () => setOpen(true), { signal });
   const on = (node, type, handler, options = {}) => node.addEventListener(type, handler, { ...options, signal });
   on(button, "pointerdown", (event) => (pullStart = event.clientY));
@@ -46,7 +46,7 @@ export default function ({ parentElement }, signal) {
   on(document, "click", (event) => {
     if (!dom.isPageLink(event.target)) return;
     scrollBefore = null;
-    setOpen(false, false);
+    setOpen(false, { scrolls: false });
   });
   signal.addEventListener("abort", () => delete root.dataset.drawer);
   dom.showPresentPage();

@@ -68,20 +68,20 @@ const SHORTEST = 0.05; // the shortest arrow that is drawn
 /** The largest length of an arrow's head, in proportion to a roller, so that it never covers the letter on it. */
 export const headOf = (R) => clamp(0.28 * R, 1.4, 2.8);
 
-/** A velocity: a slender arrow with an open head. Its length is signed; its head is at most as long as the arrow. */
-export function velocityArrow(x, y, length, longest) {
+/** A velocity: a slender arrow with an open head. Its length is signed; the head is never longer than the arrow or `longestHead`. */
+export function velocityArrow(x, y, length, longestHead) {
   if (Math.abs(length) < SHORTEST) return "";
-  const head = Math.sign(length) * Math.min(Math.abs(length), longest);
+  const head = Math.sign(length) * Math.min(Math.abs(length), longestHead);
   return `M${x} ${-y}h${length}m${-head} ${-0.6 * head}l${head} ${0.6 * head}l${-head} ${0.6 * head}`;
 }
 
-/** A force, to the right or, if `upright`, upwards: a broad, filled arrow. */
-export function forceArrow(x, y, length, longest, upright = false) {
+/** A force, to the right or, if it is upright, upwards: a broad, filled arrow. Its head is like that of a velocity. */
+export function forceArrow(x, y, length, longestHead, { isUpright = false } = {}) {
   if (Math.abs(length) < SHORTEST) return "";
-  const head = Math.sign(length) * Math.min(Math.abs(length), longest), shaft = length - head;
+  const head = Math.sign(length) * Math.min(Math.abs(length), longestHead), shaft = length - head;
   const [thick, wide] = [0.22 * head, 0.62 * head];
   const corners = [[0, thick], [shaft, thick], [shaft, wide], [length, 0], [shaft, -wide], [shaft, -thick], [0, -thick]];
-  const points = corners.map(([along, across]) => (upright ? `${x + across} ${-y - along}` : `${x + along} ${-y - across}`));
+  const points = corners.map(([along, across]) => (isUpright ? `${x + across} ${-y - along}` : `${x + along} ${-y - across}`));
   return `M${points.join("L")}z`;
 }
 

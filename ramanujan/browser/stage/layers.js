@@ -17,6 +17,7 @@ const TRACE_POINTS = 90;
 const PERIOD_POINTS = 24; // states of a period at which the largest speed and force are sampled
 const LONGEST = { speed: 1.5, force: 1.8 }; // length of the longest arrow, in radii of a roller
 const SMALLEST_RADIUS = 8; // cm, the least unit of these lengths, so that the arrows of small rollers are visible
+const LONGEST_FORCE_HEAD = 1.8; // cm
 const GAP = 1.2; // cm between an arrow and its label
 const LABEL_WIDTH = 15; // cm, at least the width of the longest label of `drawRolling`
 
@@ -87,11 +88,11 @@ export function makeLayers(root) {
     const first = Math.min(slabTop + 20 * row, view.top - 3.5), lowest = slabTop + 9 * row;
     const second = (first + lowest) / 2;
     // The weight's scale is to the right of the longest force and its label, whose size grows with the view.
-    const upright = x + LONGEST.force * Math.max(place.R, SMALLEST_RADIUS) + 0.09 * (view.right - view.left);
+    const weightX = x + LONGEST.force * Math.max(place.R, SMALLEST_RADIUS) + 0.09 * (view.right - view.left);
     const scales = {
       speed: ["m/s", (length) => [velocityArrow(x, first, length, head), x + length, first]],
       force: ["N", (length) => [forceArrow(x, second, length, head), x + length, second]],
-      weight: ["N", (length) => [forceArrow(upright, second - length / 2, length, head, true), upright, second]],
+      weight: ["N", (length) => [forceArrow(weightX, second - length / 2, length, head, { isUpright: true }), weightX, second]],
     };
     for (const [name, [unit, drawn]] of Object.entries(scales)) {
       const value = roundBelow(maxima[name]), [d, end, y] = drawn(value * unitLengths[name]), label = find(`.${name} text`);
@@ -109,7 +110,7 @@ export function makeLayers(root) {
     if (shown.has("arrows")) drawArrows(known, shift);
     if (seenFrom === "block") drawRolling(known, shift);
     if (shown.has("forces")) drawForces(known, shift);
-    if (shown.has("weights")) drawAll("weights", verticalForces(known, place, shift), unitLengths.weight, true);
+    if (shown.has("weights")) drawAll("weights", verticalForces(known, place, shift), unitLengths.weight, { isUpright: true });
     if (shown.has("coordinates")) drawCoordinates(find(".coordinates"), known, place, shift);
     if (shown.has("energy")) drawEnergy(known, writesText);
   }
@@ -147,9 +148,9 @@ export function makeLayers(root) {
     set(find(".slipping"), { transform: `translate(${x} ${-y})` });
   }
 
-  function drawAll(layer, forces, scale, upright) {
+  function drawAll(layer, forces, scale, options) {
     for (const [name, { body, x, y, newtons }] of Object.entries(forces))
-      draw(layer, name, body, forceArrow(x, y, newtons * scale, Math.min(headOf(place.R), 1.8), upright));
+      draw(layer, name, body, forceArrow(x, y, newtons * scale, Math.min(headOf(place.R), LONGEST_FORCE_HEAD), options));
   }
 
   function drawEnergy(known, writesShares) {

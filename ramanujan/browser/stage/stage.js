@@ -77,7 +77,7 @@ class Stage {
     this.picture.show(this.layers);
     this.pauseAt(this.keeper.paused());
     this.applyMotionPreference();
-    this.follow(bus.last(`view/${this.clockName}`), true);
+    this.follow(bus.last(`view/${this.clockName}`), { begins: true });
     this.draw(0); // now, so that the machine appears one frame earlier
   }
 
@@ -86,7 +86,7 @@ class Stage {
    * they were sent. `begins`: whether this stage has just received its first data. A desk also receives its own view (`own`), and
    * applies it only in this case.
    */
-  follow(view, begins = false) {
+  follow(view, { begins = false } = {}) {
     if (view && !arrivals.has(view)) arrivals.set(view, performance.now());
     const start = 2 * [...this.clock.stages].indexOf(this); // two numbers for each stage on the clock
     const turns = view?.turns.split(",").slice(start, start + 2).map(Number) ?? [];
@@ -198,7 +198,7 @@ class Stage {
     this.releaseAll();
     if (reason === "repeat") return;
     this.voice.note(WORDS[reason]);
-    this.voice.announce(WORDS[reason], true);
+    this.voice.announce(WORDS[reason], { once: true });
   }
 
   release() {

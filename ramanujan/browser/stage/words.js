@@ -37,7 +37,7 @@ export function makeVoice(root, { compact, parts, signal }) {
     message = sentence;
     node.textContent = message ?? paceSentence;
   };
-  const publish = (sentence, urgent) => compact || bus.publish("announce", { sentence, urgent });
+  const publish = (sentence, { urgent }) => compact || bus.publish("announce", { sentence, urgent });
   const fade = debounce(NOTE_TIME, () => show(null), signal);
   return {
     note(sentence) {
@@ -55,13 +55,13 @@ export function makeVoice(root, { compact, parts, signal }) {
       if (sentence === described || parts.hides("numbers") || parts.hides("clocks")) return;
       described = sentence;
       announced = "";
-      publish(sentence, false);
+      publish(sentence, { urgent: false });
     },
     /** Announce an event. With `once`, a repeated event, such as a collision, is announced once after each description. */
-    announce(sentence, once = false) {
+    announce(sentence, { once = false } = {}) {
       if (once && sentence === announced) return;
       if (once) announced = sentence;
-      publish(sentence, true);
+      publish(sentence, { urgent: true });
     },
   };
 }

@@ -176,6 +176,7 @@ def _convert_bold(text: str) -> str:
 
 def _convert_formulas(text: str) -> str:
     """Convert the formulas of a text to MathML."""
+    # The parts with odd indices are formulas.
     parts = text.split("$")
     return "".join(_convert_to_mathml(part) if i % 2 else escape(part) for i, part in enumerate(parts))
 
