@@ -13,7 +13,7 @@ const PAUSE = 400; // ms from the last turn until the slide's name is sent to th
 
 let page; // path of the page whose slides were shown last, by this pager or an earlier one
 
-const project = (on) => (document.querySelector("link[href$='projector.css']").media = on ? "all" : "not all");
+const applyProjectorStyle = (isOn) => (document.querySelector("link[href$='projector.css']").media = isOn ? "all" : "not all");
 const slideInAddress = () => new URLSearchParams(location.search).get("slide");
 const indexOf = (name, slides) => slides.findIndex((slide) => slide.name === name);
 const reveal = (now, slides) => slides.forEach(({ node }, i) => node.toggleAttribute(AWAY, i !== now));
@@ -24,7 +24,7 @@ function revealFirst() {
   const slides = dom.slides(), name = slideInAddress();
   reveal(name ? indexOf(name, slides) : 0, slides);
 }
-project(true);
+applyProjectorStyle(true);
 revealFirst();
 observe(document.body, { childList: true, subtree: true }, () => revealFirst(), untilMounted.signal);
 
@@ -59,13 +59,13 @@ class Pager {
     document.fonts.addEventListener("loadingdone", refit, { signal });
     bus.publish("slides", { has: (by) => Boolean(this.slides[this.now + by]) });
     document.documentElement.dataset.pager = "";
-    project(true);
+    applyProjectorStyle(true);
     observe(document.body, { childList: true, subtree: true }, () => this.update(), signal);
     dom.watchRuns(() => this.update(), signal);
     signal.addEventListener("abort", () => {
       bus.forget("slides");
       delete document.documentElement.dataset.pager;
-      project(false);
+      applyProjectorStyle(false);
       for (const { node } of this.slides) node.removeAttribute(AWAY);
     });
   }

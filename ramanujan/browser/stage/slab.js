@@ -38,6 +38,9 @@ function compressionAfter(key, compression, [least, most]) {
  */
 export class Slab {
   grip = null; // { id, x } of the pressed pointer; during its drag also { from, deformation, slack }
+  before = null; // { compression, phase, plainPhase } at the begin of the present drag
+  last = null; // `before` of the last finished drag
+  value = null; // m, x₀ at the end of the drag
 
   constructor(node, stage, signal) {
     // With equal limits x₀ cannot change.

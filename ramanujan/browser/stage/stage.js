@@ -26,6 +26,15 @@ export default (component, signal) => void new Stage(component, component.data, 
 const arrivals = new WeakMap(); // view of a class's desk → time of its arrival on this page [ms]
 
 class Stage {
+  data; // the last message of `publish` in __init__.py
+  parameters; // of the drawn machine: those in the message, with the visitor's changes
+  solution; // the motion of the drawn machine, from `solve`
+  shapes; // the radius and the shapes in the drawn geometry
+  screenPeriod = null; // s, the duration of a plain-mass period on the screen during a story or a race
+  showsGhosts = false; // whether copies of the machine replace its motion, for a reader who prefers reduced motion
+  needsDrawing = false; // whether the next frame draws the stage even if nothing moves
+  sinceText = 0; // s since the running numbers were updated
+
   constructor(component, options, signal) {
     const root = component.parentElement;
     const { stage, watch, clock, layers, compact, limits, periods } = options;
@@ -157,7 +166,7 @@ class Stage {
     const running = this.clock.playing && !isStill;
     if (running) this.run(elapsed * this.pace());
     const fading = this.playback.fade(elapsed);
-    if (running || fading || this.dirty) this.draw(elapsed);
+    if (running || fading || this.needsDrawing) this.draw(elapsed);
     return running || fading || this.live.isDragging || this.live.unsent !== null;
   }
 
@@ -181,13 +190,13 @@ class Stage {
   race(screenPeriod) {
     this.setScreenPeriod(screenPeriod);
     if (screenPeriod) return;
-    this.still = false;
+    this.showsGhosts = false;
     this.pauseAndMove((playback) => playback.goTo(playback.end));
   }
 
   /** Request a drawing in the next frame. */
   redraw() {
-    this.dirty = true;
+    this.needsDrawing = true;
     wake();
   }
 
@@ -273,34 +282,36 @@ class Stage {
   // ---- the display
 
   draw(elapsed) {
-    const { playback, dirty } = this;
-    this.dirty = false; // first, because a subscriber to this frame may request another one
-    this.sinceText = (this.sinceText ?? 0) + elapsed;
-    const writesText = this.sinceText >= TEXT_INTERVAL || dirty;
+    const { playback, needsDrawing } = this;
+    this.needsDrawing = false; // first, because a subscriber to this frame may request another one
+    this.sinceText += elapsed;
+    const writesText = this.sinceText >= TEXT_INTERVAL || needsDrawing;
     if (writesText) this.sinceText = 0;
     const { shift, ...state } = playback.drawn();
     const known = { ...this.parameters, ...state, Omega: this.solution.Omega };
     const { phase, time, periods } = playback;
     this.picture.frame({ known, playback, shift, writesText });
-    if (dirty && this.still && !this.parts.hides("motion")) this.picture.ghosts(exposures(this.parameters, this.solution));
+    if (needsDrawing && this.showsGhosts && !this.parts.hides("motion")) {
+      this.picture.ghosts(exposures(this.parameters, this.solution));
+    }
     this.scrubber.value = (((phase / TURN) % 1) + 1) % 1;
     if (writesText) this.scrubber.setAttribute("aria-valuetext", moment(phase, time, this.parts));
     bus.publish(`time/${this.name}`, { time, phase, periods, playing: this.clock.playing }, this);
-    if (dirty && !this.clock.playing) this.keeper.update();
+    if (needsDrawing && !this.clock.playing) this.keeper.update();
   }
 
   /** Follow the browser's preference for reduced motion: stop while it is set, and continue afterwards. */
   applyMotionPreference() {
-    const wasStill = this.still;
-    this.still = this.reducedMotion.matches;
-    this.clock.playing = !this.still && (wasStill || this.clock.playing);
+    const showedGhosts = this.showsGhosts;
+    this.showsGhosts = this.reducedMotion.matches;
+    this.clock.playing = !this.showsGhosts && (showedGhosts || this.clock.playing);
     for (const stage of this.clock.stages) stage.showClock();
-    if (this.still && this.screenPeriod && this.data.computed) this.race(null);
+    if (this.showsGhosts && this.screenPeriod && this.data.computed) this.race(null);
   }
 
   showClock() {
-    if (this.clock.playing) this.still = false;
-    if (!this.still) this.picture.ghosts([]);
+    if (this.clock.playing) this.showsGhosts = false;
+    if (!this.showsGhosts) this.picture.ghosts([]);
     showControls(this.root, this.clock, this.layers);
     this.showSlowing();
     this.redraw();
