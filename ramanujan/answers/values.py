@@ -161,7 +161,7 @@ def depends_on(expression: sp.Expr, symbol: sp.Expr, *, has_free_ratio: bool = F
     Parameters
     ----------
     expression, symbol : the formula and the symbol
-    has_free_ratio : whether ε is a variable of its own; otherwise it is m′/m
+    has_free_ratio : whether ε is independent of the masses; otherwise it is m′/m
     """
     old = POINTS[0]
     moved = old | {symbol: old[symbol] + 1}

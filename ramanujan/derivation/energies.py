@@ -154,7 +154,7 @@ def terms_by_part(equation: sp.Eq) -> dict[str, tuple[sp.Expr, ...]]:
 def belongs_to(part: str, equation: sp.Eq) -> bool:
     """Return whether the left side of an equation belongs to a part of the machine.
 
-    It has the name of the part in a subscript, or it is U, which belongs to the spring.
+    Such a left side has the name of the part in a subscript. U belongs to the spring.
 
     >>> from ramanujan.derivation import ROUTES
     >>> belongs_to("hoop", ROUTES["newton"]["torques"].equations[0])

@@ -186,7 +186,7 @@ def join_terms(texts: Sequence[str]) -> str:
 
 
 def add_signs(texts: Sequence[str]) -> list[str]:
-    """Return the LaTeX of the nonzero terms of a sum, each term except the first with its sign."""
+    """Return the LaTeX of the nonzero terms of a sum, with a sign before each term after the first."""
     first, *others = [text for text in texts if text != "0"] or ["0"]
     signed = [first]
     for text in others:
