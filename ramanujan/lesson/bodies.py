@@ -31,6 +31,7 @@ def _velocity_numbers() -> dict[str, float]:
 
 
 def _find_direction_of_block() -> str:
+    """Return the option for the block's direction while the slab moves to the right."""
     velocities = _velocity_numbers()
     ratio = velocities["block"] / velocities["slab"]
     return choose_by_sign(ratio if abs(ratio) > 1e-3 else 0, "same", "rest", "opposite")
@@ -58,6 +59,7 @@ def _path_numbers() -> dict[str, float]:
 
 
 def _compare_paths() -> str:
+    """Return the option for the path over the ground as a share of the path over the block."""
     paths = _path_numbers()
     share = paths["over_ground"] / paths["over_block"]
     if share > 1.1:
@@ -79,18 +81,21 @@ def _energy_shares(part: float) -> dict[str, float]:
 
 
 def _turning_point_numbers() -> dict[str, float]:
+    """Return the spring's share of the energy, and its stretch [cm], half a period after the release."""
     q, _q_dot = state_after(_TURNING_POINT)
     stretch = abs(float(relative_positions(EQUAL, q)["slab"]))
     return {"spring": _energy_shares(_TURNING_POINT)["spring"], "stretch": _CM * stretch}
 
 
 def _middle_numbers() -> dict[str, float]:
+    """Return the shares of the energy, and the block's speed [cm/s], a quarter of a period after the release."""
     _q, q_dot = state_after(_MIDDLE)
     block_speed = abs(float(ground_velocities(EQUAL, q_dot)["block"]))
     return {**_energy_shares(_MIDDLE), "block_speed": _CM * block_speed}
 
 
 def _find_energy_at_turning_point() -> str:
+    """Return the option for the spring's share of the energy half a period after the release."""
     share = _energy_shares(_TURNING_POINT)["spring"]
     if share > 0.99:
         return "spring"

@@ -132,6 +132,7 @@ class Store:
 
     @contextmanager
     def _transaction(self, connection: Any) -> Iterator[None]:
+        """Begin a transaction; commit it at the end, or roll it back after an error."""
         try:
             for statement in self.begin:
                 connection.execute(statement)

@@ -49,6 +49,7 @@ def sample_history(method: str) -> dict[str, object]:
 
 
 def _find_worse_method() -> str:
+    """Return the option for the run with the larger energy error; "both" if the errors are similar."""
     errors = {method: abs(final_energy_ratio(method) - 1) for method in STEPS_PER_PERIOD}
     worst = max(errors, key=errors.__getitem__)
     if min(errors.values()) > errors[worst] / 2:
@@ -78,6 +79,7 @@ def _exact_value() -> float:
 
 
 def _judge_returned_value() -> str:
+    """Return the option that describes the value of the paper's form at ε = `HUGE`."""
     value = evaluate_paper_form()
     if math.isnan(value) or math.isinf(value):
         return "message"

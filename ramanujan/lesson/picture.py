@@ -155,7 +155,8 @@ def _draw(machine: Oscillator, compression: float) -> _Drawing:
 
 
 def _circle(x: float, y: float, r: float) -> str:
-    # Four Bézier curves deviate from a circle by 0.03 %. TikZ draws an SVG arc with too few digits.
+    """Return a circle as a path of four Bézier curves."""
+    # The curves deviate from a circle by 0.03 %. TikZ draws an SVG arc with too few digits.
     handle = 0.5522847 * r
     quarters = []
     for (a, b), (c, d) in pairwise(((1, 0), (0, 1), (-1, 0), (0, -1), (1, 0))):
@@ -178,6 +179,7 @@ def _rotation_arrow(x: float, y: float, r: float) -> str:
 
 
 def _coil(start: float, end: float, y: float) -> str:
+    """Return a spring from x = start to x = end as a path of eight waves."""
     pitch = (end - start - 2) / 8
     wave = f"l{pitch / 4:g} -2l{pitch / 2:g} 4l{pitch / 4:g} -2"
     return f"M{start:g} {-y:g}h1{wave * 8}h1"

@@ -103,6 +103,7 @@ def _explain_bracket(name: str) -> str:
 
 
 def _find_bracket() -> str:
+    """Return the option whose two mass ratios enclose the mass ratio in step."""
     return next(
         name
         for name, (low, high) in BRACKETS.items()
@@ -137,6 +138,7 @@ def _candidate_numbers() -> dict[str, object]:
 
 
 def _find_exact_candidate() -> str:
+    """Return the option for the exact mass ratio: a candidate, or that it is irrational."""
     for name, ratio in CANDIDATES.items():
         if evaluate_quadratic(ratio) == 0:
             return name
@@ -155,6 +157,7 @@ def _find_sum_of_cubes() -> str:
 
 
 def _compare_other_body() -> str:
+    """Return the option for the discriminant with the other bodies."""
     paper, other = BodyChoice().discriminant, OTHER.discriminant
     if other == paper:
         return "same"
@@ -162,6 +165,7 @@ def _compare_other_body() -> str:
 
 
 def _other_body_numbers() -> dict[str, object]:
+    """Return the numbers of the machine with the other bodies, and the counts of all machines."""
     all_machines = number_theory.machines()
     return {
         "number": OTHER.discriminant,

@@ -57,12 +57,12 @@ export function makeKeeper(stage, { clock: name, address_prefix: prefix, layers:
     },
     /** Send the view after a pause, without writing a new address. */
     send: writeLater,
-    /** Write a change by a person into the address after a pause. */
-    set() {
+    /** Write the view into the address after a pause, because a person has changed it. */
+    storeInAddress() {
       isWriting = true;
       writeLater();
     },
     /** Update the address if it contains this stage's view, because a person has changed the view or the address paused it. */
-    update: () => isWriting && stage.keeper.set(),
+    update: () => isWriting && stage.keeper.storeInAddress(),
   };
 }

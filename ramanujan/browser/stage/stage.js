@@ -231,7 +231,7 @@ class Stage {
    */
   pauseAndMove(move) {
     this.clock.playing = false;
-    this.keeper.set();
+    this.keeper.storeInAddress();
     for (const stage of this.clock.stages) {
       if (!stage.solution || stage.parts.hides("motion")) continue;
       const reason = move(stage.playback);
@@ -264,7 +264,7 @@ class Stage {
   /** Set values of the clock, { playing, speed, seenFrom }, and update all of its stages. */
   setClock(values) {
     Object.assign(this.clock, values);
-    this.keeper.set();
+    this.keeper.storeInAddress();
     if (values.seenFrom) this.voice.announce(values.seenFrom === "block" ? WORDS.from_block : WORDS.from_ground);
     for (const stage of this.clock.stages) {
       if (values.seenFrom && stage.solution) stage.change();
@@ -275,7 +275,7 @@ class Stage {
   layer(name) {
     if (!this.layers.delete(name)) this.layers.add(name);
     this.picture.show(this.layers);
-    this.keeper.set();
+    this.keeper.storeInAddress();
     this.showClock();
   }
 

@@ -158,6 +158,7 @@ VIEWS = {
 
 
 def _contact_curve(contact: str, values: np.ndarray, colors: Mapping[str, str]) -> TimeCurve:
+    """Return a curve in the colour of the roller at a contact; it is dashed for a lower roller on the block."""
     body, _between, other = contact.partition("_")
     dash = "solid" if other == "slab" or body == "top" else "7px 5px"
     # TRANSLATORS: the same in short: hoop–slab.
