@@ -14,10 +14,10 @@ from ramanujan.translation import _
 
 WITHIN, PERIODS = 0.01, 30
 """The race of the integrators: the largest allowed phase error [turns], and the length of the run."""
-HALF = 0.005
-NOTHING = 1e-6
+HALF_TOLERANCE = 0.005
+NEGLIGIBLE = 1e-6
 """A share of the energy below this limit cannot be drawn, so the sentence treats it as zero."""
-STOPWATCH = 0.01
+STOPWATCH_TOLERANCE = 0.01
 TOO_FAST = 0.7
 """The stage shows a shorter period in slow motion, so a stopwatch cannot measure it [s]."""
 
@@ -25,7 +25,8 @@ TOO_FAST = 0.7
 def judge_half_energy(attempt: Attempt) -> TaskVerdict:
     """Judge the spring's share of the energy after a part of a period."""
     if attempt.part is None or not 0 <= attempt.part <= 1:
-        return TaskVerdict(False, _("Type a number between 0 and 1, such as 0.3 or 1/3."), is_judged=False)
+        instruction = _("Type a number between 0 and 1, such as 0.3 or 1/3.")
+        return TaskVerdict(is_done=False, sentence=instruction, is_judged=False)
     stored = energies(attempt.machine, *state_after(attempt.part, attempt.machine, attempt.compression))
     share = float(stored["spring"]) / sum(map(float, stored.values()))
     sentences = (
@@ -34,7 +35,9 @@ def judge_half_energy(attempt: Attempt) -> TaskVerdict:
         _("At that moment the spring holds {share:3 %} of the energy. That is {off} of the total too little."),
     )
     # TRANSLATORS: the spring holds none of the energy.
-    return compare_with_goal(share - 0.5, HALF, sentences, "%", share=share if share > NOTHING else _("none"))
+    return compare_with_goal(
+        share - 0.5, HALF_TOLERANCE, sentences, "%", share=share if share > NEGLIGIBLE else _("none")
+    )
 
 
 def judge_measured_period(attempt: Attempt) -> TaskVerdict:
@@ -43,21 +46,22 @@ def judge_measured_period(attempt: Attempt) -> TaskVerdict:
     if period < TOO_FAST:
         return miss_goal(_("This machine is so fast that it is shown in slow motion. Make the spring softer."))
     if attempt.seconds is None or attempt.seconds <= 0:
-        start = _("Start the stopwatch at a turning point, and stop it after as many periods as you like.")
-        return TaskVerdict(False, start, is_judged=False)
+        instruction = _("Start the stopwatch at a turning point, and stop it after as many periods as you like.")
+        return TaskVerdict(is_done=False, sentence=instruction, is_judged=False)
     measured = attempt.seconds / attempt.periods
     sentences = (
         _("You measured {measured:4 s} for one period. Your error is {off}."),
         _("You measured {measured:4 s} for one period. That is {off} too long."),
         _("You measured {measured:4 s} for one period. That is {off} too short."),
     )
-    return compare_with_goal(measured / period - 1, STOPWATCH, sentences, "%", measured=measured)
+    return compare_with_goal(measured / period - 1, STOPWATCH_TOLERANCE, sentences, "%", measured=measured)
 
 
 def judge_exact_ratio(attempt: Attempt) -> TaskVerdict:
     """Judge a formula for the mass ratio with `answers.judge`."""
     if not attempt.formula.strip():
-        return TaskVerdict(False, _("Type a formula, such as (sqrt(5) − 1)/2."), is_judged=False)
+        instruction = _("Type a formula, such as (sqrt(5) − 1)/2.")
+        return TaskVerdict(is_done=False, sentence=instruction, is_judged=False)
     verdict = judge_formula("unit_mass_ratio", attempt.formula)
     return TaskVerdict(verdict.kind in ("right", "unsimplified"), verdict.message)
 
@@ -103,10 +107,8 @@ def judge_two_cubes(attempt: Attempt) -> TaskVerdict:
     if value == BodyChoice().discriminant:
         return miss_goal(_("This is the paper’s machine with its {number}. Can you find another one?"), number=value)
     if choice.cubes:
-        return TaskVerdict(
-            True,
-            filled(_("The number of this machine is {n} = {pair[0]}³ + {pair[1]}³."), n=value, pair=choice.cubes[0]),
-        )
+        sentence = _("The number of this machine is {n} = {pair[0]}³ + {pair[1]}³.")
+        return TaskVerdict(is_done=True, sentence=filled(sentence, n=value, pair=choice.cubes[0]))
     off = _distance_to_sum_of_cubes(value)
     sentence = _("The number of this machine is {number}. The nearest sum of two positive cubes is {off} away.")
     return miss_goal(sentence, number=value, off=off)

@@ -15,15 +15,15 @@ from ramanujan.oscillator import drawn_spacing
 from ramanujan.translation import _
 
 # The goals of the tasks and their tolerances.
-IN_STEP = 1e-3
+IN_STEP_TOLERANCE = 1e-3
 NINE_EIGHTHS = 9 / 8
 EXACTLY, NEARLY = 1e-9, 1e-3
 _FRACTION = Fraction(float(mass_ratio_for(NINE_EIGHTHS))).limit_denominator(1000)
-HALF_WAY = 0.01
+HALF_WAY_TOLERANCE = 0.01
 PARTING, PARTING_TOLERANCE = 10, 0.01
 _PARTED = {"fast": (1 + 1 / PARTING) ** 2, "slow": (1 - 1 / PARTING) ** 2}
 PERIOD, PERIOD_TOLERANCE = 2.0, 1e-3
-FRICTION, CLOSE = 0.15, 1e-3
+FRICTION, NO_SLIP_TOLERANCE = 0.15, 1e-3
 MOVING, RESTING = 0.01, 1e-6
 """A block counts as moving from 1 cm/s; a body counts as resting if it moves by at most a micrometre."""
 _CM = 100.0
@@ -42,7 +42,7 @@ def judge_in_step(attempt: Attempt) -> TaskVerdict:
         _("Ω²m/k = {value:5}. The machine is too fast by {off}; the goal is {goal:1}."),
         _("Ω²m/k = {value:5}. The machine is too slow by {off}; the goal is {goal:1}."),
     )
-    return compare_with_goal(value - 1, IN_STEP, sentences, value=value, goal=IN_STEP)
+    return compare_with_goal(value - 1, IN_STEP_TOLERANCE, sentences, value=value, goal=IN_STEP_TOLERANCE)
 
 
 def judge_nine_eighths(attempt: Attempt) -> TaskVerdict:
@@ -50,7 +50,8 @@ def judge_nine_eighths(attempt: Attempt) -> TaskVerdict:
     value = attempt.machine.normalized_frequency_squared
     off = abs(value - NINE_EIGHTHS)
     if off <= EXACTLY:
-        return TaskVerdict(True, _("Ω²m/k is 9/8. The mass ratio is a fraction here, without any root."))
+        sentence = _("Ω²m/k is 9/8. The mass ratio is a fraction here, without any root.")
+        return TaskVerdict(is_done=True, sentence=sentence)
     if off > NEARLY:
         return miss_goal(_("Ω²m/k = {value:7}. That is {off:2} away from 9/8."), value=value, off=off)
     return miss_goal(
@@ -72,7 +73,7 @@ def judge_half_way(attempt: Attempt) -> TaskVerdict:
         _("Slab and block go equally far: the slab covers {slab:4 %} of x₀, the block {block:4 %}."),
         _("The slab covers {slab:4 %} of x₀, the block {block:4 %}. The slab goes {off} farther than half of x₀."),
     )
-    return compare_with_goal(2 * share - 1, HALF_WAY, sentences, "%", slab=share, block=1 - share)
+    return compare_with_goal(2 * share - 1, HALF_WAY_TOLERANCE, sentences, "%", slab=share, block=1 - share)
 
 
 def judge_parting(attempt: Attempt) -> TaskVerdict:
@@ -113,7 +114,7 @@ def judge_no_slip(attempt: Attempt) -> TaskVerdict:
         _("Every contact rolls, and with {off} more the first one would slip."),
         _("Every contact rolls, but x₀ could be larger by {off}."),
     )
-    return compare_with_goal(room, CLOSE, sentences, "cm")
+    return compare_with_goal(room, NO_SLIP_TOLERANCE, sentences, "cm")
 
 
 def judge_top_at_rest(attempt: Attempt) -> TaskVerdict:

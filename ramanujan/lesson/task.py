@@ -54,7 +54,7 @@ class TaskVerdict:
 
 def miss_goal(sentence: str, **values: object) -> TaskVerdict:
     """Return the verdict on an attempt that misses the goal; `sentence` is a template for `numerals.filled`."""
-    return TaskVerdict(False, filled(sentence, **values))
+    return TaskVerdict(is_done=False, sentence=filled(sentence, **values))
 
 
 def compare_with_goal(
@@ -70,9 +70,9 @@ def compare_with_goal(
     unit : the unit of `off` in the sentences: s, cm or %
     values : other numbers of the sentences
     """
-    done = abs(off) <= tolerance
+    is_done = abs(off) <= tolerance
     near_enough, too_large, *too_small = sentences
-    if done:
+    if is_done:
         sentence = near_enough
     elif off > 0:
         sentence = too_large
@@ -81,7 +81,7 @@ def compare_with_goal(
     scale = {"cm": 100, "%": 100}.get(unit, 1)
     # The distance has enough digits to differ from the tolerance.
     distance = with_unit(distinct_from(scale * abs(off), scale * tolerance), unit)
-    return TaskVerdict(done, filled(sentence, off=distance, **values))
+    return TaskVerdict(is_done, filled(sentence, off=distance, **values))
 
 
 @dataclass(frozen=True)

@@ -198,8 +198,8 @@ async def _measure(address: str, end: float, results: Lesson) -> None:
 COUNTED = """() => {
   window.counted = [];
   const look = () => {
-    const said = document.querySelector(".st-key-class_wall_foot")?.textContent.match(/^\\d+/);
-    if (said && window.counted.length <= said[0]) window.counted[said[0]] ??= Date.now() / 1000;
+    const match = document.querySelector(".st-key-class_wall_foot")?.textContent.match(/^\\d+/);
+    if (match && window.counted.length <= match[0]) window.counted[match[0]] ??= Date.now() / 1000;
   };
   new MutationObserver(look).observe(document.body, { childList: true, subtree: true, characterData: true });
 }"""

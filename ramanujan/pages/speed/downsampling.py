@@ -74,18 +74,18 @@ def downsample(history: History, steps: int, periods: int) -> SampledRun:
     """Return a run with the number of points that a screen can resolve."""
     # Take every nth step, where n divides the steps of a period and leaves at most SAMPLES_PER_PERIOD samples.
     least = math.ceil(steps / SAMPLES_PER_PERIOD)
-    n = next(n for n in range(least, steps + 1) if steps % n == 0)
+    stride = next(n for n in range(least, steps + 1) if steps % n == 0)
     # The points of an error curve have equal ratios, because its axis is logarithmic.
     ends = np.unique(np.rint(np.geomspace(1, steps * periods, CURVE_POINTS)).astype(int))
     with np.errstate(over="ignore"):
-        q = history.q[::n].astype(np.float32)
+        q = history.q[::stride].astype(np.float32)
     phase = np.fmax.accumulate(np.abs(history.phase_error))
     return SampledRun(
         method=history.method,
         dtype=history.dtype,
         steps=steps,
         periods=periods,
-        per_period=steps // n,
+        per_period=steps // stride,
         q=q,
         times=(ends / steps).astype(np.float32),
         phase=phase[ends],
