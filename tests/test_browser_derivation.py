@@ -171,7 +171,7 @@ def test_the_present_route_can_be_downloaded_and_its_formulas_fit_a_phone(visit)
         settle(page)
         assert len(traffic(page).sent) == sent, kind
     check_scrolling(page)
-    check_long_formulas(visit("derivation?route=matrix&show=reading", width=320, height=640, tab=page))
+    check_long_formulas(visit("derivation?route=matrix&show=reading", width=320, height=640, within=page))
 
 
 def check_scrolling(page) -> None:
@@ -271,7 +271,7 @@ def test_headings_keep_their_place_beside_the_machine_and_every_body_has_its_ink
     page.get_by_role("slider", name="Step").fill("14")
     page.get_by_role("button", name="Next").click()
     page.wait_for_url("**/1729*")
-    check_projector(visit("derivation?route=newton&view=projector", tab=page))
+    check_projector(visit("derivation?route=newton&view=projector", within=page))
 
 
 def check_projector(page) -> None:

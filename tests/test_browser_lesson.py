@@ -59,10 +59,10 @@ def test_a_student_takes_the_lesson_and_a_link_preserves_the_place(visit):
     other.get_by_role("button", name="Back").click()
     settle(other)
     assert other.get_by_text("Right answer:").is_visible()
-    check_machines(visit("lesson?stop=zero-modes&chosen=zero-modes.two", tab=other))
-    check_stopwatch(visit("lesson?part=tasks&task=period", tab=other))
+    check_machines(visit("lesson?stop=zero-modes&chosen=zero-modes.two", within=other))
+    check_stopwatch(visit("lesson?part=tasks&task=period", within=other))
     # The ending is not a stop.
-    assert counted(visit("lesson?stop=end", tab=other)) == ["✓", "What you have seen"]
+    assert counted(visit("lesson?stop=end", within=other)) == ["✓", "What you have seen"]
 
 
 def check_prediction(page) -> None:
@@ -160,7 +160,7 @@ def test_on_a_phone_the_verdict_is_visible_and_hands_are_compared_at_the_moment_
     shown = page.evaluate("ramanujan.last('time/stage_two-clocks_0').time")
     assert shown == pytest.approx(10 * 2 * math.pi / math.sqrt(10.0), rel=1e-6)
     for address in ("stop=contact", "part=tasks&task=top-at-rest", "part=notes"):
-        page = visit(f"lesson?{address}", width=390, height=844, tab=page)
+        page = visit(f"lesson?{address}", width=390, height=844, within=page)
         assert page.evaluate(WIDTH) <= 390, address
         if "contact" in address:
             # The options precede the machine, so a small phone shows them without scrolling.

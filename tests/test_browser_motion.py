@@ -188,7 +188,7 @@ def test_the_limits_of_the_model_and_of_the_picture_are_reported_without_a_jump(
     assert page.get_by_text("The model no longer holds.", exact=True).is_visible()
     assert page.evaluate(place) == pytest.approx(top, abs=1)
     check_views(page)
-    check_edge(open_motion(visit, "?spin=3", tab=page))
+    check_edge(open_motion(visit, "?spin=3", within=page))
 
 
 def check_greatest_friction(page):

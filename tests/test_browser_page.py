@@ -102,7 +102,7 @@ def test_events_are_announced_once_and_the_assumptions_about_the_host_pages_are_
     check_announced("would slip")
     assert region.count() == 1
     with_sidebar = page.evaluate(HELD)
-    check_assumptions(visit("", width=390, height=844, tab=page), with_sidebar)
+    check_assumptions(visit("", width=390, height=844, within=page), with_sidebar)
 
 
 HELD = f"{module('components/streamlit_dom')}.then({script('assumptions')})"

@@ -242,7 +242,7 @@ def check_stops_fit(visit, address: str, stops: list[tuple[str, str]]) -> None:
     page = None
     for stop, wrong in stops:
         query, phone = f"lesson?stop={stop}", {"has_touch": True, "is_mobile": True}
-        page = visit(query, tab=page, network=address, width=390, height=664, **phone)
+        page = visit(query, within=page, network=address, width=390, height=664, **phone)
         check_stop_fits(page, stop, wrong)
 
 

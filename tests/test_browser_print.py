@@ -123,7 +123,7 @@ def test_a_worksheet_fills_its_pages_and_its_lines_do_not_touch(visit):
         sheet = f"worksheet?seed={name_of(number)}&m={machine.m}&m_prime={machine.m_prime}&k={machine.k}"
         page = None
         for rest in ("level=1", "level=3", f"paper=key&key={key_of(number)}"):
-            page = visit(f"{sheet}&{rest}", theme="dark", tab=page)
+            page = visit(f"{sheet}&{rest}", theme="dark", within=page)
             page.wait_for_selector(".st-key-worksheet_picture img")
             for paper, (_width, width) in PAPERS.items():
                 check_worksheet(printed(page, paper), width)
