@@ -9,6 +9,14 @@ from tests.test_browser_language import ADDRESSES, OVERLAPS
 WIDTHS = (320, 390, 480, 768, 900, 999, 1000, 1280, 1600, 3840)
 WITH_FIGURES = (320, 1280)
 """Widths at which figures are also drawn, because drawing a figure takes longer than the rest of the page."""
+CUT_LABELS = """() => [...document.querySelectorAll(".js-plotly-plot")].flatMap((graph) => {
+  const home = graph.getBoundingClientRect();
+  return [...graph.querySelectorAll(".annotation-text, .infolayer .legendtext")].filter((label) => {
+    const box = label.getBoundingClientRect();
+    return box.left < home.left - 1 || box.right > home.right + 1 || box.top < home.top - 1;
+  }).map((label) => label.textContent);
+})"""
+"""The labels that are clipped at an edge of their figure."""
 WITHOUT_FIGURES = """() => {
   window.withoutFigures = new CSSStyleSheet();
   withoutFigures.replaceSync(".stPlotlyChart { display: none }");
@@ -44,20 +52,21 @@ def check_calm(page, name: str) -> None:
 
 
 def check_widths(page) -> None:
-    """Check that no words overlap at any width."""
+    """Check that no words overlap and no label of a figure is cut at any width."""
     page.evaluate(WITHOUT_FIGURES)
-    overlaps = {}
+    wrong = {}
     for width in sorted(WIDTHS, key=WITH_FIGURES.__contains__):
         page.evaluate("(drawn) => (withoutFigures.disabled = drawn)", width in WITH_FIGURES)
         page.set_viewport_size({"width": width, "height": 900})
         # Plotly adapts figures a moment later.
         for _ in range(20):
-            if not page.evaluate(OVERLAPS):
+            faults = page.evaluate(OVERLAPS) + page.evaluate(CUT_LABELS)
+            if not faults:
                 break
             page.wait_for_timeout(250)
         else:
-            overlaps[width] = page.evaluate(OVERLAPS)
-    assert overlaps == {}
+            wrong[width] = faults
+    assert wrong == {}
 
 
 def test_a_page_whose_end_does_not_arrive_is_shown_without_it(visit):
@@ -67,13 +76,3 @@ def test_a_page_whose_end_does_not_arrive_is_shown_without_it(visit):
     page.evaluate("document.querySelector('.st-key-bar').remove()")
     assert page.locator("main :is(h1, p, label)").filter(visible=True).count() == 0
     title.wait_for()
-
-
-def test_on_a_phone_nothing_jumps_while_a_page_is_loaded(visit):
-    """The page reserves the space of figures. The test on a laptop checks that drawing them causes no jump."""
-    page, moved = None, {}
-    for name, address in ADDRESSES.items():
-        first = () if page else [SHIFTS]
-        page = visit(address, *first, width=390, height=844, tab=page, figures=bool(page))
-        moved[name] = shift(page)
-    assert max(moved.values()) < MOST_SHIFT, moved
