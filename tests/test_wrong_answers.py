@@ -265,7 +265,7 @@ def test_an_altered_coefficient_and_an_extra_term_get_a_true_verdict(name: str) 
     hints = 0
     for _ in range(COUNT):
         monomial = source.choice(list(right))
-        ratio = spoiled_factor(source, name != "phi_equation")
+        ratio = spoiled_factor(source, of_energy=name != "phi_equation")
         if ratio == 1 or (ratio == 0 and len(right) == 1):
             continue
         term = right[monomial] * monomial
@@ -273,9 +273,9 @@ def test_an_altered_coefficient_and_an_extra_term_get_a_true_verdict(name: str) 
         verdict = judge(name, text)
         assert verdict.kind == "wrong", text
         is_true = difference_is_true(verdict.message, spell_as_verdict(monomial), ratio, right[monomial])
-        hinted = not is_true and hint_is_true(name, verdict.message, ENERGIES[name] + (ratio - 1) * term)
-        hints += hinted
-        assert is_true or hinted, (text, verdict.message)
+        is_true_hint = not is_true and hint_is_true(name, verdict.message, ENERGIES[name] + (ratio - 1) * term)
+        hints += is_true_hint
+        assert is_true or is_true_hint, (text, verdict.message)
         assert "exact number agrees" not in verdict.message
     assert hints < COUNT
     for _ in range(COUNT // 4):
@@ -428,22 +428,24 @@ def _true_of_number(message: str, given: sp.Expr) -> bool:
         if words in message:
             return same(given, number)
     rational, irrational = given.expand().as_independent(*given.atoms(sp.Pow))
-    parts_true = (
-        "part of your answer with the root is right" not in message or same(irrational, sp.sqrt(1729) / 36)
-    ) and ("part of your answer without the root is right" not in message or rational == sp.Rational(-1, 36))
+    calls_root_right = "part of your answer with the root is right" in message
+    calls_rest_right = "part of your answer without the root is right" in message
+    are_parts_true = (not calls_root_right or same(irrational, sp.sqrt(1729) / 36)) and (
+        not calls_rest_right or rational == sp.Rational(-1, 36)
+    )
     if "A ratio of two masses is positive" in message:
-        return bool(given <= 0) and parts_true
+        return bool(given <= 0) and are_parts_true
     match = re.search(rf"With ε = {NUMBER} you get Ω² = {NUMBER} k/m", message)
     if match:
         epsilon = float(given)
         frequency = 8 * (7 + 6 * epsilon) / (32 + 49 * epsilon + 18 * epsilon**2)
         stated = [read(text) for text in match.groups()]
-        return parts_true and stated == pytest.approx([epsilon, frequency], rel=1e-5)
+        return are_parts_true and stated == pytest.approx([epsilon, frequency], rel=1e-5)
     match = re.search(rf"Ω² and k/m differ by {NUMBER} k/m", message)
     if match:
         epsilon = given.n(30)
         frequency = 8 * (7 + 6 * epsilon) / (32 + 49 * epsilon + 18 * epsilon**2)
-        return parts_true and read(match[1]) == pytest.approx(float(abs(frequency - 1)), rel=1e-3)
+        return are_parts_true and read(match[1]) == pytest.approx(float(abs(frequency - 1)), rel=1e-3)
     return hinted_ratio(message, given)
 
 

@@ -194,7 +194,7 @@ class Classes:
         return self.read_results(self.find_code(key))
 
     def read_results(self, code: str, reached: Phase = Phase.REVEALED) -> list[ClassResult]:
-        """Return the results of all questions that have reached at least this phase, in the order of asking."""
+        """Return the results of all questions that have reached at least this phase, the earliest question first."""
         rows = self._store.read(
             "SELECT stop, asking, number, options, asked, present FROM question WHERE code = ? AND reached >= ? "
             "ORDER BY asked, asking, number",
