@@ -58,8 +58,8 @@ MUTATIONS = [
     Mutation(
         "the spring ends at the slab's left",
         "stage/drawing.js",
-        "[from, to] = [g.slab.right + x.slab",
-        "[from, to] = [g.slab.left + x.slab",
+        "[from, to] = [place.slab.right + x.slab",
+        "[from, to] = [place.slab.left + x.slab",
     ),
     Mutation(
         "the slab goes half as far",
@@ -126,8 +126,8 @@ MUTATIONS = [
     Mutation(
         "the traces run the other way",
         "stage/drawing.js",
-        "g.R * Math.sin(angle)} ${-(y",
-        "-g.R * Math.sin(angle)} ${-(y",
+        "place.R * Math.sin(angle)} ${-(y",
+        "-place.R * Math.sin(angle)} ${-(y",
         LAYERS,
     ),
     Mutation("a layer is dead", "stage/layers.js", 'if (shown.has("forces"))', "if (false)", LAYERS),

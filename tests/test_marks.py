@@ -34,7 +34,7 @@ def test_the_marks_of_a_route_are_the_terms_that_change(name, of):
         marks = []
         for terms in changed_terms:
             marks.append(", ".join(f"{SIDES[side]} {place + 1}" for side, place in sorted(terms)))
-        assert tuple(marks) == (step.marks or ("",) * len(step.equations)), step.key
+        assert tuple(marks) == (step.underlined_terms or ("",) * len(step.equations)), step.key
 
 
 def changes(steps: Sequence[Equations]) -> list[list[Places]]:

@@ -169,7 +169,7 @@ def test_each_line_names_the_operation_that_leads_to_it(page):
     for operation in (r"\times \frac{3}{2}", insert, r"\text{cancel $8$}", collect, r"\times 72", r"+\,1"):
         assert rf"\vert\ {operation}" in shown, operation
     assert shown.count(r"\underline{") == 15
-    marked = {name for name in ROUTES if any(any(step.marks) for step in ROUTES[name].steps)}
+    marked = {name for name in ROUTES if any(any(step.underlined_terms) for step in ROUTES[name].steps)}
     # No line of the matrix route adds, removes or moves a term of an earlier line.
     assert marked == {*ROUTES} - {"matrix"}
     for route in (*(ROUTES[name] for name in ROUTES), ROUTES.with_equal_masses("euler_lagrange")):

@@ -109,7 +109,7 @@ def seconds_per_reduction(oscillator: Oscillator) -> float:
 
     Returns
     -------
-    median for a single time [s]
+    median duration for one number t [s]
 
     >>> seconds_per_reduction(Oscillator()) > 0
     True
@@ -122,7 +122,7 @@ def measure_arithmetics() -> dict[str | int, float]:
 
     Returns
     -------
-    kind of arithmetic → seconds per value. The kinds are "float64", "array" (float64 arrays of ARRAY elements),
+    kind of arithmetic → seconds per value. The kinds are "float64", "array" (float64 arrays of ARRAY_SIZE elements),
     "integers", "fraction", and for mpmath its number of digits.
 
     >>> list(measure_arithmetics())
@@ -149,8 +149,8 @@ def measure_caching(oscillator: Oscillator) -> dict[str, float]:
 
     Returns
     -------
-    ratios of durations: "frequency" and "state" for a new machine against the same machine again; "states" for STATES
-    calls against one call with an array
+    ratios of durations: "frequency" and "state" for a new machine against the same machine again; "states" for
+    STATE_COUNT calls against one call with an array
 
     >>> list(measure_caching(Oscillator()))
     ['frequency', 'state', 'states']

@@ -113,7 +113,7 @@ def turns_per_second(oscillator: Oscillator) -> tuple[float, float]:
 
 
 def reduced_phase(turns: tuple[float, float], times: FloatOrArray) -> FloatOrArray:
-    """Return the phase Ωt without its whole turns, between −π and π. Their subtraction causes no rounding error.
+    """Return the phase Ωt without its whole turns. The subtraction of the turns causes no rounding error.
 
     Parameters
     ----------
@@ -122,7 +122,8 @@ def reduced_phase(turns: tuple[float, float], times: FloatOrArray) -> FloatOrArr
 
     Returns
     -------
-    the phase [rad] : with an error of at most 1e-15 rad for up to 1e15 periods
+    the phase [rad] : with an error of at most 1e-15 rad for up to 1e15 periods; between −π and π, but after so many
+        periods up to a fifth of a turn beyond
 
     Source: T. J. Dekker, Numer. Math. 18 (1971) 224, for the exact product.
 

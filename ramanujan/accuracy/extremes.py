@@ -199,7 +199,7 @@ def _generate_samples(sweep_name: str, dtype: str) -> tuple[FloatArray, FloatArr
     if sweep_name == "machines":
         m, m_prime, k = _draw_machines(dtype)
         return np.arange(m.size, dtype=dtype), m, m_prime, k
-    x = powers_of_ten(dtype, 3)
+    x = powers_of_ten(dtype, density=3)
     one = np.ones_like(x)
     return (x, one, x, one) if sweep_name == "ratio" else (x, x, x, x)
 

@@ -171,12 +171,12 @@ def count_evaluations(method: str, steps: ArrayLike) -> NDArray[np.int64]:
     >>> count_evaluations("velocity_verlet", [1, 2, 100])
     array([  2,   3, 101])
     """
-    first, second = _count_first_steps(method)
+    first, second = _count_evaluations_in_first_steps(method)
     return first + (np.asarray(steps) - 1) * second
 
 
 @cache
-def _count_first_steps(method: str) -> tuple[int, int]:
+def _count_evaluations_in_first_steps(method: str) -> tuple[int, int]:
     """Return the number of evaluations in the first step, and that in the second step."""
     calls = 0
 

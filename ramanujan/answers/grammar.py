@@ -14,7 +14,7 @@ from collections.abc import Callable
 
 import sympy as sp
 
-from ramanujan.answers.formulas import count_leaves, is_number, leaves, replace_letters
+from ramanujan.answers.formulas import count_leaves, is_decimal, is_number, leaves, replace_letters
 from ramanujan.answers.spelling import Token, UnreadableError, split_into_tokens, to_ascii
 from ramanujan.derivation.printers import latex
 from ramanujan.numerals import explain_ambiguous_number, in_latex
@@ -207,7 +207,7 @@ class _Reader:
         if is_number(token):
             if is_number(self.next):
                 raise UnreadableError(_("Two numbers follow each other. Write a sign between them."))
-            return _Part(token, in_latex(str(token)) if isinstance(token, sp.Symbol) else latex(token))
+            return _Part(token, in_latex(str(token)) if is_decimal(token) else latex(token))
         if token == "sqrt":
             return self.root()
         if token == "frac":

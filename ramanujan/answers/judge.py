@@ -31,8 +31,8 @@ def judge(question: str, text: str) -> Verdict:
     """Return the verdict on a student's answer; never raises.
 
     Two formulas are equal if they agree at random points to 1,150 digits. A right formula counts as unsimplified if it
-    contains a needless symbol. It is also unsimplified if it is longer than the derived formula and than its factored
-    and expanded forms.
+    contains a needless symbol. It is also unsimplified if it is longer than every form of the derived formula: as
+    derived, factored, or expanded.
 
     Parameters
     ----------

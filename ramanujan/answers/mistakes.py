@@ -155,7 +155,7 @@ class Slip(NamedTuple):
     ----------
     id : its key in `HINTS`
     hint : the hint, with its slots filled
-    example : a wrong answer with this slip, to one of its questions
+    example : a wrong answer with this slip, to one of its questions, as typed: m' is a mass, X' and φ' are velocities
     results : the wrong answers to which it leads; None for a wrong equation without a solution
     """
 
@@ -337,7 +337,7 @@ def find_elimination_slips(name: str) -> Slips:
 
 
 def find_mass_ratio_slips() -> Slips:
-    """Yield the slips in the unit mass ratio: in the quadratic formula, then in the quadratic."""
+    """Yield the slips in the mass ratio with Ω²m/k = 1: in the quadratic formula, then in the quadratic."""
     condition = unit_frequency_condition()
     (a, b, c), discriminant = condition.quadratic.all_coeffs(), condition.discriminant
     root = sp.sqrt(discriminant)
@@ -358,7 +358,7 @@ def find_mass_ratio_slips() -> Slips:
 
 
 def find_quadratic_slips(right: sp.Expr) -> Slips:
-    """Yield the slips in the quadratic equation for the unit mass ratio."""
+    """Yield the slips in the quadratic equation for the mass ratio with Ω²m/k = 1."""
     yield _make_slip("no_term_in_ratio", right - right.coeff(epsilon) * epsilon, example="18ε² = 24")
     of_inverse = sp.expand(right.subs(epsilon, 1 / epsilon) * epsilon**2)
     yield _make_slip("equation_of_inverse", of_inverse, example="24ε² = ε + 18")

@@ -160,7 +160,10 @@ class Question:
 
     @cached_property
     def values_of_body_mistakes(self) -> Mistakes:
-        """Hint and values of each mistake in bodies, unless different mistakes have the same values."""
+        """Pairs of a hint and values for the mistakes in bodies, one pair for all mistakes with the same values.
+
+        Mistakes with the same values are omitted if they have no common hint.
+        """
         groups: list[tuple[Values, list[AlteredMachine]]] = []
         for altered in machines.list_altered_machines():
             values = self._values_of_mistake(self.find_answer_for(altered.machine))

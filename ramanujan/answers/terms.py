@@ -352,7 +352,7 @@ class Comparison:
         return min(alternatives, key=len, default=None)
 
     def fraction_differences(self) -> tuple[str, list[TermDifference]] | None:
-        """Return a sentence about the right part of a fraction, and the differences in its other part; or None.
+        """Return a sentence about the correct numerator or denominator, and the differences in the other part; or None.
 
         Let N/D be the right answer. With the denominator D, the typed answer is (typed·D)/D. With the numerator N, it
         is N/(N/typed).

@@ -185,7 +185,7 @@ def find_decimals(expression: sp.Expr) -> set[sp.Symbol]:
 def compute_rounding_error(expression: sp.Expr, target: Values) -> PreciseNumber | None:
     """Return the rounding error of a decimal in the formula, in units of its last digit.
 
-    In place of the decimal, the exact number makes the formula equal to the target at all points. The rounding error is
+    The decimal rounds an exact number, with which the formula equals the target at all points. The rounding error is
     the difference between both numbers. Return None if no exact number exists within one and a half units. Return None
     also if the exact number has no more digits than the decimal: 0.6 instead of 0.5 is wrong, not rounded.
     """

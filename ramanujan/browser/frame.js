@@ -1,9 +1,9 @@
 // Writes a random name of the browser into the address of a page in a frame, before Streamlit connects.
 //
-// In a frame on another site, browsers do not send the app's cookie (SameSite=Lax). The frame has another name instead. It is
-// stored in a partitioned cookie, which only this frame on this site receives. If that fails, it is stored in the frame's
-// storage, which also works over HTTP. If the browser allows neither, the name is "none". The start page contains this script;
-// outside a frame it does nothing.
+// In a frame on another site, browsers do not send the app's cookie (SameSite=Lax). The name in the address replaces that cookie.
+// The name is stored in a partitioned cookie, which only this frame on this site receives. If that fails, it is stored in the
+// frame's storage, which also works over HTTP. If the browser allows neither, the name is "none". The start page contains this
+// script; outside a frame it does nothing.
 
 (() => {
   if (window === window.top) return;

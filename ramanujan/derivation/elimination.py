@@ -94,8 +94,8 @@ def eliminate(bodies: Machine) -> Elimination:
 def _merge_equations(motion: dict[sp.Expr, sp.Expr]) -> tuple[sp.Rational, tuple[sp.Eq, ...]]:
     """Return a multiplier of the X equation, and the three lines that eliminate Φ̈.
 
-    The multiplier is a number, such as 3/2. After the multiplication, the Φ equation's term with Φ̈ is minus `symbols`
-    times that of the X equation, for example with `symbols` = 1/m. The lines are
+    The multiplier is a number, such as 3/2. After the multiplication, the Φ equation's term with Φ̈ is −s times that of
+    the X equation. The factor s contains only symbols, such as 1/m. The lines are
 
     1. the Φ equation, solved for its term with Φ̈,
     2. the X equation times the multiplier,
@@ -104,13 +104,13 @@ def _merge_equations(motion: dict[sp.Expr, sp.Expr]) -> tuple[sp.Rational, tuple
     Phi_term = motion[Phi].coeff(Phi_ddot) * Phi_ddot
     equal_to_Phi_term = Phi_term - motion[Phi]
     ratio_of_Phi_terms = -motion[Phi].coeff(Phi_ddot) / motion[X].coeff(Phi_ddot)
-    multiplier, symbols = ratio_of_Phi_terms.as_coeff_Mul()
+    multiplier, symbolic_factor = ratio_of_Phi_terms.as_coeff_Mul()
     X_term = sp.factor(multiplier * motion[X].coeff(X_ddot)) * X_ddot
     phi_term = sp.factor(multiplier * motion[X].coeff(phi_ddot)) * phi_ddot
     lines = (
         equation(Phi_term, equal_to_Phi_term),
-        equation(in_order(X_term, -Phi_term / symbols), -phi_term),
-        equation(in_order(X_term, -sp.cancel(equal_to_Phi_term / symbols)), -phi_term),
+        equation(in_order(X_term, -Phi_term / symbolic_factor), -phi_term),
+        equation(in_order(X_term, -sp.cancel(equal_to_Phi_term / symbolic_factor)), -phi_term),
     )
     return multiplier, lines
 

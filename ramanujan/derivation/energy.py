@@ -115,7 +115,7 @@ def _least_step(
         equation(gather(by_xi.subs(eta, eta_from_xi), (xi,)), sp.S.Zero),
         *(equation(share, shares[share]) for share in (xi, eta)),
         equation(sp.Determinant(curvature), sp.factor(curvature.det())),
-        marks=("", "", "left 1, left 2", "left 1", "", "", ""),
+        underlined_terms=("", "", "left 1, left 2", "left 1", "", "", ""),
         operations=(
             rf"\partial/\partial {latex(eta)}",
             solve_for(eta),

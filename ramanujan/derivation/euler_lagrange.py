@@ -87,7 +87,7 @@ def _motion_step(result: Elimination, coordinates: tuple[str, ...]) -> Step:
         _("Bring all terms to one side. Common factors cancel."),
         *(equation(result.motion[q], sp.S.Zero) for q in COORDINATES),
         labels=coordinates,
-        marks=("", "left 3", ""),
+        underlined_terms=("", "left 3", ""),
         operations=tuple(
             "" if factor == 1 else margin_text(_("cancel {what}"), factor) for factor in result.common.values()
         ),
@@ -108,7 +108,7 @@ def _elimination_step(result: Elimination) -> Step:
         *result.merged,
         equation(X_ddot, result.X_ddot_from_phi_ddot),
         equation(Phi_ddot, result.Phi_ddot_from_phi_ddot),
-        marks=("", "left 2, right 1", "left 2", "", ""),
+        underlined_terms=("", "left 2, right 1", "left 2", "", ""),
         operations=(
             rf"+\,{latex(Phi_line.rhs)}",
             rf"\times {latex(result.multiplier)}",
@@ -132,7 +132,7 @@ def _insertion_step(result: Elimination) -> Step:
         equation(in_order(common_number * in_order(*terms) * phi_ddot, spring * phi), sp.S.Zero),
         equation(in_order(phi_ddot, numerator / in_order(*terms) * phi), sp.S.Zero),
         equation(in_order(phi_ddot, result.natural_frequency_squared * phi), sp.S.Zero),
-        marks=("left 1, left 2", "left 1", "left 2", "left 2"),
+        underlined_terms=("left 1, left 2", "left 1", "left 2", "left 2"),
         operations=(
             insert(X_ddot),
             margin_text(_("collect {what}"), phi_ddot),
@@ -155,7 +155,7 @@ def _frequency_step(result: Elimination) -> Step:
         ).format(),
         oscillator,
         equation(Omega_squared, result.natural_frequency_squared),
-        marks=("left 2", ""),
+        underlined_terms=("left 2", ""),
         operations=(insert(r"\varphi=\cos\Omega t"), compare_factors(phi)),
     )
 

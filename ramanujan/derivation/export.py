@@ -18,10 +18,10 @@ from ramanujan.translation import _, pgettext
 
 TITLE = _("Ramanujan’s oscillator: {route}")
 _SYMBOLS, _MACHINE = pgettext("list of them", "Symbols"), _("The machine")
-_WITH_NUMBERS, _CHECKED = _("With numbers"), _("Check the result another way")
-_BODIES = _("The machine has five bodies, three of which roll, and one spring.")
-_CHECK = _("The nonzero root of $\\det(K-\\omega^2M)=0$ must be the same $\\Omega^2$.")
-_DISTANCE = _("How far is this machine from the condition $\\Omega^2=k/m$?")
+_WITH_NUMBERS, _CHECK_HEADING = _("With numbers"), _("Check the result another way")
+_BODIES_TEXT = _("The machine has five bodies, three of which roll, and one spring.")
+_CHECK_TEXT = _("The nonzero root of $\\det(K-\\omega^2M)=0$ must be the same $\\Omega^2$.")
+_DISTANCE_TEXT = _("How far is this machine from the condition $\\Omega^2=k/m$?")
 # TRANSLATORS: the name of your language in LaTeX's package babel, such as ngerman.
 _BABEL = pgettext("LaTeX package babel", "english")
 _WORDS = (
@@ -138,15 +138,15 @@ def to_notebook(route: Route, numbers: Numbers | None = None) -> str:
     numbers : the machine's numbers, which the last cells insert; None for no such cells
     """
     cells = [
-        _make_cell("title", "markdown", f"# {TITLE.format(route=route.title)}\n\n{_BODIES}"),
+        _make_cell("title", "markdown", f"# {TITLE.format(route=route.title)}\n\n{_BODIES_TEXT}"),
         _make_cell("symbols", "markdown", _list_symbols(route)),
         _make_cell("bodies", "code", BODIES),
     ]
     parts = [(key, f"## {route[key].heading}\n\n{route[key].reason}", code) for key, code in route.cells.items()]
-    parts.append(("check", f"## {_CHECKED}\n\n{_CHECK}", CHECK))
+    parts.append(("check", f"## {_CHECK_HEADING}\n\n{_CHECK_TEXT}", CHECK))
     if numbers:
         parts.append(("values", f"## {_WITH_NUMBERS}\n\n{state_numbers(numbers)}", _assign_numbers(numbers)))
-        parts.append(("distance", _DISTANCE, DISTANCE))
+        parts.append(("distance", _DISTANCE_TEXT, DISTANCE))
     for key, text, code in parts:
         cells += [_make_cell(key, "markdown", text), _make_cell(key, "code", code)]
     if numbers:

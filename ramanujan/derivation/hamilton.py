@@ -115,7 +115,7 @@ def _inversion_step(momenta: dict[sp.Expr, sp.Expr]) -> Step:
             "only $\\dot\\varphi$ is left."
         ),
         *_invert_momenta(momenta),
-        marks=("", "left 2, right 1", "", "left 2, right 1"),
+        underlined_terms=("", "left 2, right 1", "", "left 2, right 1"),
         operations=(solve_for(Phi_dot), insert(Phi_dot), solve_for(X_dot), insert(X_dot)),
     )
 
@@ -179,7 +179,7 @@ def _reduction_step(constant: sp.Expr, effective_mass: sp.Expr, one_degree: sp.E
         equation("H", one_degree),
         equation(M_e, effective_mass),
         equation(H_0, constant),
-        marks=("right 1, right 3", "", ""),
+        underlined_terms=("right 1, right 3", "", ""),
         operations=(
             margin_text(_("complete the square")),
             compare_factors(p_phi**2),

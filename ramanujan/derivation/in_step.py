@@ -114,7 +114,7 @@ def _unit_step(forms: RatioForms) -> Step:
         equation(forms.left_over, sp.Integer(0)),
         equation(multiplied, sp.Integer(0)),
         equation(forms.quadratic, sp.Integer(0)),
-        marks=("left 1, right 1", "", "", ""),
+        underlined_terms=("left 1, right 1", "", "", ""),
         operations=(
             rf"{latex(_NORMALIZED)} = 1",
             margin_text(_("cancel {what}"), forms.numerator),
@@ -128,7 +128,7 @@ def _unit_step(forms: RatioForms) -> Step:
     def residual_step(numbers: Numbers) -> Step:
         """Return the step with the value of the condition's left side for one machine."""
         reason = _compare_with_plain_mass(forms.difference_at(numbers))
-        return replace(general, reason=reason, equations=left, operations=(insert(epsilon),) * 2, marks=())
+        return replace(general, reason=reason, equations=left, operations=(insert(epsilon),) * 2, underlined_terms=())
 
     return replace(general, variant=residual_step)
 
@@ -166,7 +166,7 @@ def _root_step(forms: RatioForms) -> Step:
         square,
         equation(square.lhs, _write_sum_of_cubes(*other_pair)),
         equation(epsilon, forms.condition.root),
-        marks=("", "right 1", "left 1, right 2", "", "", ""),
+        underlined_terms=("", "right 1", "left 1, right 2", "", "", ""),
         operations=(
             margin_text(_("the quadratic")),
             rf"\times {latex(4 * a)}",
@@ -197,7 +197,7 @@ def _distance_step(general: Step, condition: UnitCondition) -> Step:
             equation(epsilon - epsilon_star, RATIO - condition.root),
         ),
         operations=(_define_ratio(), insert(epsilon), rf"-\,{latex(epsilon_star)}"),
-        marks=(),
+        underlined_terms=(),
     )
 
 

@@ -71,7 +71,7 @@ CONTACTS = (
 
 @dataclass(frozen=True)
 class FreeBodies:
-    """The bodies drawn apart: thirteen equations in three groups, and their solution, unknown → in terms of φ."""
+    """The bodies drawn apart: thirteen equations in three groups, and their solution: unknown → expression in φ."""
 
     rollers: tuple[Body, ...]
     forces: tuple[sp.Eq, ...]
@@ -340,7 +340,7 @@ def _solution_step(
         equation(without_Phi, sp.S.Zero),
         equation(X_ddot, sp.factor(X_ddot_from_phi_ddot)),
         equation(Phi_ddot, sp.factor(Phi_ddot_from_X_ddot.subs(X_ddot, X_ddot_from_phi_ddot))),
-        marks=("", "left 1, left 2", "left 1", "", ""),
+        underlined_terms=("", "left 1, left 2", "left 1", "", ""),
         operations=(
             solve_for(Phi_ddot),
             margin_text(_("add both")),
@@ -375,7 +375,7 @@ def _frequency_step(of_phi: sp.Expr, solved_phi_ddot: sp.Expr, frequency: sp.Exp
         equation(of_phi, sp.S.Zero),
         equation(phi_ddot, solved_phi_ddot),
         equation(model.Omega_squared, frequency),
-        marks=("left 1", "", ""),
+        underlined_terms=("left 1", "", ""),
         operations=(insert(X_ddot), solve_for(phi_ddot), compare_factors(phi)),
     )
 

@@ -36,7 +36,7 @@ CONSTANTS = ("k", "m", "M", "I", "R")
 DERIVATIVES = {"a": 2, "alpha": 2, "v": 1, "p": 1, "S": -1, "F": -1}
 """The order of a letter as a time derivative. Friction forces come after the coordinates."""
 _NO_VARIABLE = -2
-"""An order below all others: terms without a variable come last."""
+"""A derivative order below all others. Terms of high order come first, so terms without a variable come last."""
 
 Key = tuple[Any, ...]
 _LETTER_RANK = {letter: rank for rank, letter in enumerate(LETTERS)}

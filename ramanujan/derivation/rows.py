@@ -128,12 +128,15 @@ def make_rows(step: Step, numbers: Numbers | None = None, make: Callable[..., Ro
     """
     adapted = step.for_numbers(numbers)
     empty = ("",) * len(adapted.equations)
-    labels, operations, marks = adapted.labels or empty, adapted.operations or empty, adapted.marks or empty
+    labels, operations = adapted.labels or empty, adapted.operations or empty
+    underlined_terms = adapted.underlined_terms or empty
     previous_operation = ""
     # `Row` compares rows without their operations, so a duplicate with another operation is omitted, too.
     distinct: dict[Row, Row] = {}
-    for equation, label, operation, mark in zip(adapted.equations, labels, operations, marks, strict=True):
-        commands = _mark_commands(mark)
+    for equation, label, operation, underlined in zip(
+        adapted.equations, labels, operations, underlined_terms, strict=True
+    ):
+        commands = _underline(underlined)
         new_row = (
             make(equation, label, commands) if make else make_row(equation, numbers, label=label, commands=commands)
         )
@@ -144,9 +147,9 @@ def make_rows(step: Step, numbers: Numbers | None = None, make: Callable[..., Ro
     return list(distinct.values())
 
 
-def _mark_commands(marks: str) -> tuple[TermCommand, ...]:
-    """Return the commands that underline the marked terms, such as "left 2, right 1"."""
-    places = _PLACE.findall(marks)
+def _underline(terms: str) -> tuple[TermCommand, ...]:
+    """Return the commands that underline terms, such as "left 2, right 1"."""
+    places = _PLACE.findall(terms)
     return tuple(TermCommand(SIDES.index(side), int(place) - 1, _MARK) for side, place in places)
 
 

@@ -31,8 +31,8 @@ class Step:
         None if the numbers can be inserted into the equations.
     labels : LaTeX before each equation, such as the coordinate to which it belongs; or none
     operations : LaTeX in the margin of each equation, for the operation that leads to it; or none
-    marks : the terms of each equation that an operation removes, adds or moves, such as "left 2, right 1", in printed
-        order; or none
+    underlined_terms : the terms of each equation that an operation removes, adds or moves, such as "left 2, right 1",
+        in printed order; or none
     """
 
     key: str
@@ -42,7 +42,7 @@ class Step:
     variant: Callable[[Numbers], "Step"] | None = None
     labels: tuple[str, ...] = ()
     operations: tuple[str, ...] = ()
-    marks: tuple[str, ...] = ()
+    underlined_terms: tuple[str, ...] = ()
 
     def for_numbers(self, numbers: Numbers | None) -> "Step":
         """Return the variant of the step for the numbers of a machine, still in symbols, or the step itself."""

@@ -149,8 +149,8 @@ def horizontal_bars(
     return bars | {"text": list(words), "textposition": "outside", "constraintext": "none", "cliponaxis": False}
 
 
-_LEAST_HEIGHT = 400
-"""The smallest height of a figure [px]; on a slide it grows with the free space."""
+_HEIGHT_BEFORE_GROWTH = 400
+"""The largest height of a figure before it grows with the free space of a slide [px]."""
 _TITLE_LENGTH = 16
 """The number of letters of an axis title that fit beside one of two panels."""
 _MARGIN_ABOVE, _MARGIN_WITH_WORDS = 24, 54
@@ -165,7 +165,9 @@ _LETTER_SIZE = 26
 
 
 def enlarge_letters(figure: BaseFigure) -> EncodedFigure:
-    """Return the figure with room for large letters, at any height.
+    """Return the figure with room for large letters, and at most 400 px high.
+
+    On a slide the figure then grows with the free space.
 
     >>> from ramanujan.figures import encode_figure
     >>> sent = encode_figure([], {"height": 620, "yaxis": {"title": {"text": "displacement relative to the block"}}})
@@ -174,7 +176,8 @@ def enlarge_letters(figure: BaseFigure) -> EncodedFigure:
     (400, 'displacement relative<br>to the block')
     """
     sent = figure.to_dict()
-    layout = {**sent["layout"], "height": min(_LEAST_HEIGHT, sent["layout"].get("height", _LEAST_HEIGHT))}
+    height = sent["layout"].get("height", _HEIGHT_BEFORE_GROWTH)
+    layout = {**sent["layout"], "height": min(height, _HEIGHT_BEFORE_GROWTH)}
     axes = [name for name in layout if name.startswith(("xaxis", "yaxis"))]
     for name in axes:
         layout[name] = _enlarge_axis(layout[name], is_vertical=name.startswith("yaxis"))

@@ -109,13 +109,13 @@ def draw_phase_plane(
     periods: int,
     colors: Mapping[str, str],
 ) -> EncodedFigure:
-    """Draw velocity against displacement for coordinates with one scale.
+    """Draw velocity against displacement for several coordinates on common axes.
 
     Parameters
     ----------
     orbits : each with the displacements [cm] at n equal steps of time
     velocities : of the same coordinates at the same times [cm/s]
-    period, periods : the period [s], and the number of periods that the steps divide; for the cursor
+    period, periods : the period [s], and the number of periods in the n steps; for the cursor
     colors : ink, faint and paper
     """
     traces = [

@@ -139,7 +139,7 @@ def limit_labels(curve: FrequencyCurve) -> tuple[str, str]:
 def _inset_shapes(
     ratio_range: list[float], highest: float, unit: float, colors: Mapping[str, str]
 ) -> list[dict[str, Any]]:
-    """Return the lines “in step” of panel and inset, the background of the inset, and the frame of its region."""
+    """Return the lines “in step”, the background of the inset, the frame of its region, and the joining lines."""
     least, most = _INSET_RATIOS
     low, high = _INSET_VALUES
     _left, inset_right = _INSET_ACROSS

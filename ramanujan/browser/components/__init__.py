@@ -14,7 +14,7 @@ two lines. They import its module, which the server offers as a file (`ramanujan
 
 The topics of the bus, where NAME is the name of a stage, CLOCK of a clock, and KEY the key of a slider:
 
-    machine/NAME      the message of `stage.payload`; removed when the visitor leaves the page
+    machine/NAME      the message of `stage.publish`; removed when the visitor leaves the page
     time/NAME         {time [s], phase [rad], periods, playing}, published by the stage in every frame with a change;
                       periods of the plain mass since both hands started together
     story/NAME        while a story runs, the duration of a period of the plain mass on the screen [s]; null at its end;
@@ -203,7 +203,7 @@ def exact(key: str, head: Mapping[str, Any], on_typed: Callable[[str], None]) ->
     on_typed : called with the typed text
     """
     data = {"key": key, **head}
-    return mount("components/exact", f"{key}_exact", data, event="typed", on_value=on_typed, example="")
+    return mount("components/exact", f"{key}_exact", data, event="typed", on_value=on_typed, type_example="")
 
 
 def pick(figure: str, on_picked: Callable[[dict[str, float]], None]) -> Any:
@@ -216,7 +216,7 @@ def pick(figure: str, on_picked: Callable[[dict[str, float]], None]) -> Any:
     """
     point = {"x": 0.0, "y": 0.0}
     key = f"unseen-pick_{figure}"
-    return mount("components/pick", key, {"figure": figure}, event="picked", on_value=on_picked, example=point)
+    return mount("components/pick", key, {"figure": figure}, event="picked", on_value=on_picked, type_example=point)
 
 
 def steps(route: str, headings: Sequence[str], on_turned: Callable[[str, int], None], has_onward_link: bool) -> Any:
@@ -228,7 +228,7 @@ def steps(route: str, headings: Sequence[str], on_turned: Callable[[str, int], N
     ----------
     route : name of the route
     headings : headings of the steps in their order, for screen readers
-    on_turned : called with the route and the step, after a pause without a turn
+    on_turned : called with the route and the step, a moment after the last of several turns
     has_onward_link : whether a link follows the last step, in the container with the key `onward`
     """
     data = {"route": route, "headings": list(headings), "has_onward_link": has_onward_link}
@@ -239,7 +239,7 @@ def steps(route: str, headings: Sequence[str], on_turned: Callable[[str, int], N
         on_turned(position["route"], step)
 
     position = {"route": route, "step": 1}
-    return mount("components/steps", "lecture_turn", data, event="at", on_value=receive, example=position)
+    return mount("components/steps", "lecture_turn", data, event="at", on_value=receive, type_example=position)
 
 
 def turn(
@@ -267,7 +267,7 @@ def turn(
     def receive(number: int) -> None:
         on_turned(min(max(number, 1), len(headings)))
 
-    return mount("components/turn", "turn", data, event="to", on_value=receive, example=now)
+    return mount("components/turn", "turn", data, event="to", on_value=receive, type_example=now)
 
 
 def pager(on_turned: Callable[[str], None]) -> Any:
@@ -277,10 +277,10 @@ def pager(on_turned: Callable[[str], None]) -> Any:
 
     Parameters
     ----------
-    on_turned : called with the name of the slide after a pause without a turn; with "" for the first slide
+    on_turned : called with the name of the slide, a moment after the last of several turns; with "" for the first slide
     """
     data = {"place": "{now} / {count}: {title}"}
-    return mount("components/pager", "pager", data, event="at", on_value=on_turned, example="")
+    return mount("components/pager", "pager", data, event="at", on_value=on_turned, type_example="")
 
 
 def stopwatch(key: str) -> float | None:
@@ -296,7 +296,7 @@ def stopwatch(key: str) -> float | None:
 
 
 def mount(
-    name: str, key: str, data: Mapping[str, Any], event: str, on_value: Callable[[Any], None], example: Any
+    name: str, key: str, data: Mapping[str, Any], event: str, on_value: Callable[[Any], None], type_example: Any
 ) -> Any:
     """Put a component on the page that sends values to the server.
 
@@ -307,12 +307,12 @@ def mount(
     data : data of the component
     event : name of the component's trigger or state
     on_value : called with each value of the example's type. Any other value is ignored.
-    example : an example of a value
+    type_example : an example of a value, which determines the type
     """
 
     def receive() -> None:
         value = getattr(st.session_state.get(key), event, None)
-        if _has_type_of(value, example):
+        if _has_type_of(value, type_example):
             on_value(value)
 
     return modules.component(name)(key=key, data=data, **{f"on_{event}_change": receive})

@@ -12,8 +12,9 @@ import touch from "./touch.js";
 import translated from "./translated.js";
 import voice from "./voice.js";
 
-// On the screen a figure has the width of the page. For printing, print.css scales it to the width of the paper (A4: 180 mm).
-const fitPaper = () => document.documentElement.style.setProperty("--printed", Math.min(1, 660 / dom.contentWidth()));
+const PAPER_WIDTH = 660; // px, slightly less than the 180 mm (680 px) between the margins of A4
+// On the screen a figure has the width of the page. For printing, print.css scales it to the width of the paper.
+const fitPaper = () => document.documentElement.style.setProperty("--printed", Math.min(1, PAPER_WIDTH / dom.contentWidth()));
 window.addEventListener("beforeprint", fitPaper);
 window.addEventListener("copy", copy);
 dom.limitHistory();

@@ -26,7 +26,7 @@ export function makeSnap(key, send, signal) {
     sendGoal();
   });
 
-  /** Move the slider to a value that may be between two steps; with null, to the step to which the reader has moved it. */
+  /** Move the slider to a value that may be between two steps. Null puts it back on its own step. */
   const moveTo = (value) => {
     const slider = dom.slider(key);
     dom.snap(slider, value);

@@ -10,7 +10,7 @@ const PAUSE = 300; // ms from the last turn until the step is sent to the server
 
 export default function (component, signal) {
   const sheet = document.head.appendChild(document.createElement("style"));
-  // Of the keys that turn, all but the left and right arrows also scroll the page. These turn only while the lecture is in view.
+  // Page Up, Page Down and the space bar also scroll the page, so they turn only while the lecture is in view.
   const mayTurn = ({ key }) => key.startsWith("Arrow") || dom.inView(dom.lecture());
   const turner = new Turner(component, signal, { sliderEvent: "input", mayTurn, onTurned, onward: dom.onward });
   const send = debounce(PAUSE, () => component.setStateValue("at", { route, step: turner.now }), signal);

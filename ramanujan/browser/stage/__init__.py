@@ -44,12 +44,12 @@ The message, published at every change; all but the first entry are optional:
     computed     samples drawn as an outline over the exact motion, with these items:
                  log, the evaluations and the phase error in turns after each period, as text;
                  run, the number of the run;
-                 screen_period, the duration of a period on the screen [s] when a new run is first shown
+                 screen_period, the duration of a plain-mass period on the screen [s] while a new run is first shown
     slipping     the contact to mark, such as hoop_slab
     hide         the hidden parts, members of `PARTS`
 
 Other parts of the page communicate with a stage through the topics of the bus, listed in
-`ramanujan.browser.components`. The stage sends nothing to the server, except its view at the desk of a class: a drag of
+`ramanujan.browser.components`. The stage sends only its view to the server, and only at the desk of a class. A drag of
 the slab moves the slider, which sends its own value (live_values.js).
 """
 
@@ -93,7 +93,9 @@ def payload(
     computed: Mapping[str, Any] | None = None,
     slipping: str | None = None,
 ) -> dict[str, Any]:
-    """Return the message published at every change: the machine and its motion as plain numbers.
+    """Return the message published at every change, without `hide`: the machine and its motion as plain numbers.
+
+    `publish` adds `hide`.
 
     Parameters
     ----------
@@ -138,7 +140,7 @@ def mount(
     constants = settings(key, **options)
     if on_view:
         constants["sends_view"] = True
-        components.mount("stage/stage", key, constants, event="view", on_value=on_view, example=VIEW)
+        components.mount("stage/stage", key, constants, event="view", on_value=on_view, type_example=VIEW)
     else:
         modules.component("stage/stage")(key=key, data=constants)
     if data is not None:

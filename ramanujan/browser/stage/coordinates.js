@@ -1,6 +1,6 @@
 // The layer Coordinates: X, φ and Φ with their positive sense, x₀, R, and a bracket for the lower rollers' common mass.
-// Lengths are centimetres of the picture; y points up. `g` is the geometry from `layout`. Numbers without a name are gaps and
-// sizes that keep marks and labels clear of each other.
+// Lengths are centimetres of the picture; y points up. `place` is the geometry from `layout`. Numbers without a name are gaps
+// and sizes that keep marks and labels clear of each other.
 
 import { CM, ROLLERS, arc, displacements, headOf, velocityArrow } from "./drawing.js";
 import { FORMULAS } from "./formulas.js";
@@ -12,32 +12,32 @@ const ARC = 0.5; // radius of the arc that shows an angle, in radii of the rolle
 const SENSE = { from: 44, to: 74, label: 68, radius: 1.12 }; // the arrow of the positive sense outside the rim [degrees, radii]
 
 /** Return mark → attributes: `d` of a line, or x and y of a label. Pure. */
-function coordinateMarks(known, g, shift) {
+function coordinateMarks(known, place, shift) {
   const x = displacements(known, shift);
-  const angles = ROLLERS.map((name) => angleMarks(name, FORMULAS.angle[name](known), x[name], g));
+  const angles = ROLLERS.map((name) => angleMarks(name, FORMULAS.angle[name](known), x[name], place));
   return {
-    ...blockMarks(x.block, -shift * CM, g),
+    ...blockMarks(x.block, -shift * CM, place),
     ...Object.assign({}, ...angles),
-    ...slabMarks(x.block, x.slab, known.compression * CM, g),
-    ...radiusMarks(x.top, g),
-    ...sharedMarks(x.hoop, g),
+    ...slabMarks(x.block, x.slab, known.compression * CM, place),
+    ...radiusMarks(x.top, place),
+    ...sharedMarks(x.hoop, place),
   };
 }
 
 /** X, the block's displacement to the left of its initial position, in the floor; and its positive sense at the block's edge. */
-function blockMarks(edge, origin, g) {
-  const y = g.deck + 4.5, length = -7.5;
+function blockMarks(edge, origin, place) {
+  const y = place.deck + 4.5, length = -7.5;
   return {
-    X_guide: { d: `M${edge} ${-g.deck}V${-y - 2}M${origin} 0V2.6` },
+    X_guide: { d: `M${edge} ${-place.deck}V${-y - 2}M${origin} 0V2.6` },
     X_value: { d: `M${origin} 1.3H${edge}` },
-    X_sense: { d: velocityArrow(edge, y, length, headOf(g.R)) },
+    X_sense: { d: velocityArrow(edge, y, length, headOf(place.R)) },
     X_label: { x: edge + length + 2.6, y: -y - 2.2 },
   };
 }
 
 /** An angle from the vertical to the mark on the rim. Outside the rim an arrow shows the positive sense, clockwise. */
-function angleMarks(name, angle, displacement, g) {
-  const [x0, y0] = g.centre[name], x = x0 + displacement, { R } = g;
+function angleMarks(name, angle, displacement, place) {
+  const [x0, y0] = place.centre[name], x = x0 + displacement, { R } = place;
   const point = (radii, direction) => `${x + radii * R * Math.sin(direction)} ${-y0 - radii * R * Math.cos(direction)}`;
   const turn = ((angle % TURN) + TURN) % TURN, signed = turn > Math.PI ? turn - TURN : turn;
   const [from, to, labelAngle] = [SENSE.from, SENSE.to, SENSE.label].map((degrees) => (degrees * TURN) / 360);
@@ -56,26 +56,27 @@ function angleMarks(name, angle, displacement, g) {
 }
 
 /** Lengths from the slab's end at the spring's natural length: x₀ to the point of release, 2Rφ to the present position. */
-function slabMarks(block, slab, compression, g) {
-  const [right, left, end] = [g.slab.right + block, g.slab.left + block, g.slab.left + slab], above = g.slab.bottom + g.thick;
-  const y0 = above + 2.6, y = above + 5.8 * Math.max(1, g.R / 10), low = g.slab.bottom + g.thick / 2;
+function slabMarks(block, slab, compression, place) {
+  const [right, left, end] = [place.slab.right + block, place.slab.left + block, place.slab.left + slab];
+  const above = place.slab.bottom + place.thick, low = place.slab.bottom + place.thick / 2;
+  const y0 = above + 2.6, y = above + 5.8 * Math.max(1, place.R / 10);
   const guide = (from, to, y) => ({ d: `M${from} ${-low}V${-y - 1.2}M${to} ${-low}V${-y - 1.2}` });
   return {
     x0_guide: guide(right, right + compression, y0),
     x0_value: { d: `M${right} ${-y0}h${compression}` },
     x0_label: { x: right - 1, y: -y0 },
     slab_guide: guide(left, end, y),
-    slab_value: { d: velocityArrow(left, y, end - left, headOf(g.R)) },
+    slab_value: { d: velocityArrow(left, y, end - left, headOf(place.R)) },
     slab_label: { x: Math.max(left, end) + 1, y: -y },
   };
 }
 
 /** R, drawn in the top roller; all three have the same radius. */
-function radiusMarks(displacement, g) {
-  const [x0, y0] = g.centre.top, x = x0 + displacement;
+function radiusMarks(displacement, place) {
+  const [x0, y0] = place.centre.top, x = x0 + displacement;
   const direction = (-38 * TURN) / 360; // of the line, from the vertical
-  const side = 0.24 * g.R; // distance of the label from the line
-  const [dx, dy] = [g.R * Math.sin(direction), g.R * Math.cos(direction)];
+  const side = 0.24 * place.R; // distance of the label from the line
+  const [dx, dy] = [place.R * Math.sin(direction), place.R * Math.cos(direction)];
   return {
     R_value: { d: `M${x} ${-y0}l${dx} ${-dy}` },
     R_label: { x: x + dx * 0.48 - side * Math.cos(direction), y: -y0 - dy * 0.48 + side * Math.sin(direction) },
@@ -83,8 +84,8 @@ function radiusMarks(displacement, g) {
 }
 
 /** A bracket under the two lower rollers, which have the same mass. */
-function sharedMarks(displacement, g) {
-  const [left, right] = [g.centre.hoop[0] + displacement, g.centre.cylinder[0] + displacement], y = g.deck - 2;
+function sharedMarks(displacement, place) {
+  const [left, right] = [place.centre.hoop[0] + displacement, place.centre.cylinder[0] + displacement], y = place.deck - 2;
   return {
     shared_value: { d: `M${left} ${-y - 1}V${-y}H${right}V${-y - 1}` },
     shared_label: { x: (left + right) / 2, y: -y + 2.8 },

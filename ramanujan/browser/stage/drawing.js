@@ -1,5 +1,5 @@
 // The drawing: pure functions from a machine and its state to lengths, outlines and attributes. No page, no clock, no events.
-// Lengths are centimetres of the picture; x points to the right, and y up from the floor. `g` is the geometry from `layout`.
+// Lengths are centimetres of the picture; x points to the right, and y up from the floor. `place` is the geometry from `layout`.
 // Numbers without a name are gaps and sizes that keep parts and letters clear of each other.
 
 import { fill } from "../components/sentences.js";
@@ -55,11 +55,11 @@ export const displacements = (values, shift) =>
   mapValues(FORMULAS.displacement, (displacement) => (displacement(values) - shift) * CM);
 
 /** The points at which the velocity arrows begin, at φ = 0. */
-export function anchors(g) {
+export function anchors(place) {
   return {
-    block: [(g.riser + g.right) / 2, g.upper * 0.35],
-    ...g.centre,
-    slab: [0.7 * g.slab.left + 0.3 * g.slab.right, g.slab.bottom + g.thick + 2.5], // its head stays clear of x₀
+    block: [(place.riser + place.right) / 2, place.upper * 0.35],
+    ...place.centre,
+    slab: [0.7 * place.slab.left + 0.3 * place.slab.right, place.slab.bottom + place.thick + 2.5], // its head stays clear of x₀
   };
 }
 
@@ -101,40 +101,40 @@ export const CONTACTS = mapValues(FORMULAS.contact_force, (_force, contact) => {
 const MAX_OFFSET = 1.5; // cm, by which a force is drawn beside its contact or the spring, so that opposite arrows do not overlap
 
 /** The forces parallel to the floor, name → { body, x, y, newtons to the right }. A contact has two opposite and equal forces. */
-export function horizontalForces(values, g, shift) {
-  const displaced = displacements(values, shift), offset = Math.min(0.22 * g.R, MAX_OFFSET), forces = {};
+export function horizontalForces(values, place, shift) {
+  const displaced = displacements(values, shift), offset = Math.min(0.22 * place.R, MAX_OFFSET), forces = {};
   for (const [contact, { roller, other, side }] of Object.entries(CONTACTS)) {
-    const x = g.centre[roller][0] + displaced[roller], y = g.centre[roller][1] + side * g.R;
+    const x = place.centre[roller][0] + displaced[roller], y = place.centre[roller][1] + side * place.R;
     const friction = FORMULAS.contact_force[contact](values);
     forces[`${contact} ${roller}`] = { body: roller, x, y: y - side * offset, newtons: friction };
     forces[`${contact} ${other}`] = { body: other, x, y: y + side * offset, newtons: -friction };
   }
   // The two forces of a stretched spring point towards each other.
-  const axis = g.slab.bottom + g.thick / 2, { slab, block } = FORMULAS.spring_force;
-  forces["spring slab"] = { body: "slab", x: g.slab.right + displaced.slab, y: axis + offset, newtons: slab(values) };
-  forces["spring block"] = { body: "block", x: g.riser + displaced.block, y: axis - offset, newtons: block(values) };
+  const axis = place.slab.bottom + place.thick / 2, { slab, block } = FORMULAS.spring_force;
+  forces["spring slab"] = { body: "slab", x: place.slab.right + displaced.slab, y: axis + offset, newtons: slab(values) };
+  forces["spring block"] = { body: "block", x: place.riser + displaced.block, y: axis - offset, newtons: block(values) };
   return forces;
 }
 
 /** The weights and normal forces, name → { body, x, y, newtons upwards }. A contact has two opposite and equal forces. */
-export function verticalForces(values, g, shift) {
+export function verticalForces(values, place, shift) {
   const displaced = displacements(values, shift), forces = {};
   for (const [contact, { roller, other, side }] of Object.entries(CONTACTS)) {
-    const x = g.centre[roller][0] + displaced[roller], y = g.centre[roller][1] + side * g.R;
+    const x = place.centre[roller][0] + displaced[roller], y = place.centre[roller][1] + side * place.R;
     const normal = -side * FORMULAS.normal_force[contact](values);
     forces[`${contact} ${roller}`] = { body: roller, x, y, newtons: normal };
     forces[`${contact} ${other}`] = { body: other, x, y, newtons: -normal };
   }
   const weights = mapValues(FORMULAS.weight, (weight) => weight(values));
-  for (const [name, [x, y]] of Object.entries(g.home)) {
+  for (const [name, [x, y]] of Object.entries(place.home)) {
     // A roller's weight is drawn beside the line of its normal forces, which would hide it.
-    const distance = ROLLERS.includes(name) ? 0.22 * g.R : 0;
+    const distance = ROLLERS.includes(name) ? 0.22 * place.R : 0;
     forces[`weight ${name}`] = { body: name, x: x + displaced[name] + distance, y, newtons: -weights[name] };
   }
   const total = Object.values(weights).reduce((sum, weight) => sum + weight, 0);
-  const heights = Object.fromEntries(BODIES.map((name) => [`height_${name}`, g.home[name][1] / CM]));
+  const heights = Object.fromEntries(BODIES.map((name) => [`height_${name}`, place.home[name][1] / CM]));
   const lever = FORMULAS.floor_lever({ ...values, ...heights }) * CM;
-  forces["floor block"] = { body: "block", x: centreOfMass(values, g, shift) + lever, y: 0, newtons: total };
+  forces["floor block"] = { body: "block", x: centreOfMass(values, place, shift) + lever, y: 0, newtons: total };
   return forces;
 }
 
@@ -229,76 +229,77 @@ export function scenery({ floor: [from, to], slab, travel, shelf, riser }) {
 }
 
 /** The outlines of the bodies, and the positions of their letters. */
-export function outlines(g, parameters) {
-  const slab = { x: g.slab.left, y: -g.slab.bottom - g.thick, width: g.slab.right - g.slab.left, height: g.thick };
+export function outlines(place, parameters) {
+  const { R, riser, upper, right, deck, thick } = place, { left: slabLeft, right: slabRight, bottom: slabBottom } = place.slab;
+  const slab = { x: slabLeft, y: -slabBottom - thick, width: slabRight - slabLeft, height: thick };
   const handle = slab.x + 0.77 * slab.width; // clear of the letter, the velocity arrow and x₀
-  const shadow = `M${0.55 * g.R} ${g.R}${arc(0, g.R, 0.55 * g.R, 0.1 * g.R, TURN / 4, (3 * TURN) / 4)}z`; // below the contact
+  const shadow = `M${0.55 * R} ${R}${arc(0, R, 0.55 * R, 0.1 * R, TURN / 4, (3 * TURN) / 4)}z`; // below the contact
   const rollers = ROLLERS.map((name) => {
-    const { form, mark, inlay } = rollerPaths(shapeOf(parameters[`beta_${name}`]), g.R);
+    const { form, mark, inlay } = rollerPaths(shapeOf(parameters[`beta_${name}`]), R);
     const parts = { form, mark, inlay, shade: form, shadow };
     const drawn = Object.entries(parts).map(([part, d]) => [`.${name} .${part}`, { d }]);
     // The letter is below the centre, because an arrow begins at the centre.
-    return { ...Object.fromEntries(drawn), [`.${name} text`]: { y: 0.44 * g.R } };
+    return { ...Object.fromEntries(drawn), [`.${name} text`]: { y: 0.44 * R } };
   });
-  const block = { d: `M0 0V${-g.deck}H${g.riser}V${-g.upper}H${g.right}V0z` };
+  const block = { d: `M0 0V${-deck}H${riser}V${-upper}H${right}V0z` };
   return Object.assign({
     ".block .form": block,
     ".block .shade": block,
-    ".block .bevel": { d: `M${BEVEL} ${-BEVEL}V${BEVEL - g.deck}H${g.riser + BEVEL}V${BEVEL - g.upper}H${g.right - BEVEL}` },
-    ".block .rest": { d: `M${g.slab.right} ${-g.deck}V${-g.slab.bottom - g.thick - 2}` }, // rest position of the slab's end
-    ".block text": { x: (g.riser + g.right) / 2, y: -g.upper * 0.6 },
+    ".block .bevel": { d: `M${BEVEL} ${-BEVEL}V${BEVEL - deck}H${riser + BEVEL}V${BEVEL - upper}H${right - BEVEL}` },
+    ".block .rest": { d: `M${slabRight} ${-deck}V${-slabBottom - thick - 2}` }, // rest position of the slab's end
+    ".block text": { x: (riser + right) / 2, y: -upper * 0.6 },
     ".slab .form": slab,
     ".slab .shade": slab,
     ".slab .grip": { ...slab, y: slab.y - 3, height: slab.height + 6 }, // a finger needs a taller target than the slab
     ".slab text": { x: slab.x + slab.width / 2, y: slab.y + slab.height / 2 },
     ".handle path": { d: [-1.2, 0, 1.2].map((x) => `M${handle + x} ${slab.y + 1}v${slab.height - 2}`).join("") },
-    ".handle text": { x: handle, y: -(g.slab.bottom + g.thick + g.shelf) / 2 },
-    ".stiffness": { y: -g.slab.bottom - g.thick / 2 + 4.5 },
+    ".handle text": { x: handle, y: -(slabBottom + thick + place.shelf) / 2 },
+    ".stiffness": { y: -slabBottom - thick / 2 + 4.5 },
   }, ...rollers);
 }
 
 /** The positions of the bodies and the spring in a view that has moved by `shift` [m]; `values` as in `displacements`. */
-export function positions(values, g, shift = 0) {
-  const x = displacements(values, shift), [from, to] = [g.slab.right + x.slab, g.riser + x.block];
-  const table = { ...coil(".spring", from, to, g.slab.bottom + g.thick / 2, 2), ".stiffness": { x: (from + to) / 2 } };
-  for (const [name, [x0, y0]] of Object.entries({ block: [0, 0], slab: [0, 0], ...g.centre }))
+export function positions(values, place, shift = 0) {
+  const x = displacements(values, shift), [from, to] = [place.slab.right + x.slab, place.riser + x.block];
+  const table = { ...coil(".spring", from, to, place.slab.bottom + place.thick / 2, 2), ".stiffness": { x: (from + to) / 2 } };
+  for (const [name, [x0, y0]] of Object.entries({ block: [0, 0], slab: [0, 0], ...place.centre }))
     table[`.${name}`] = { transform: `translate(${x0 + x[name]} ${-y0})` };
   for (const name of ROLLERS) table[`.${name} .spin`] = { transform: `rotate(${(FORMULAS.angle[name](values) * 360) / TURN})` };
   return table;
 }
 
 /** The outlines of slab and top roller at a position, for the trail. */
-export function trailOutline(values, g, shift) {
-  const displaced = displacements(values, shift), { slab, R } = g;
-  const slabOutline = `M${slab.left + displaced.slab} ${-slab.bottom}v${-g.thick}H${slab.right + displaced.slab}v${g.thick}z`;
-  const x = g.centre.top[0] + displaced.top, y = -g.centre.top[1];
+export function trailOutline(values, place, shift) {
+  const displaced = displacements(values, shift), { slab, thick, R } = place;
+  const slabOutline = `M${slab.left + displaced.slab} ${-slab.bottom}v${-thick}H${slab.right + displaced.slab}v${thick}z`;
+  const x = place.centre.top[0] + displaced.top, y = -place.centre.top[1];
   return `${slabOutline}M${x} ${y - R}${arc(x, y, R, R, 0, TURN)}z`;
 }
 
 /** The centre of mass of the whole machine in a view that has moved by `shift` [m]. */
-export function centreOfMass(values, g, shift) {
+export function centreOfMass(values, place, shift) {
   const displaced = displacements(values, shift);
-  return FORMULAS.centre({ ...values, ...mapValues(g.home, ([x], name) => x + displaced[name]) });
+  return FORMULAS.centre({ ...values, ...mapValues(place.home, ([x], name) => x + displaced[name]) });
 }
 
 /** A quantity of the reference frame: the block's value of these formulas, or 0 for the ground. */
 export const frameValue = (formulas, values, seenFrom) => (seenFrom === "block" ? formulas.block(values) : 0);
 
 /** The path of the mark on a roller's rim through these states, relative to the ground or the block. */
-export function rimTrace(name, states, g, seenFrom) {
-  const [x, y] = g.centre[name];
+export function rimTrace(name, states, place, seenFrom) {
+  const [x, y] = place.centre[name];
   const points = states.map((values) => {
     const angle = FORMULAS.angle[name](values), origin = frameValue(FORMULAS.displacement, values, seenFrom);
     const displacement = displacements(values, origin)[name];
-    return `${x + displacement + g.R * Math.sin(angle)} ${-(y + g.R * Math.cos(angle))}`;
+    return `${x + displacement + place.R * Math.sin(angle)} ${-(y + place.R * Math.cos(angle))}`;
   });
   return `M${points.join("L")}`;
 }
 
 /** The end of the motion, or null: the top roller beyond an edge ("edge"), or the slab against the block ("struck"). */
-export function collision(values, g) {
+export function collision(values, place) {
   const { top, block } = FORMULAS.displacement;
-  const x = (top(values) - block(values)) * CM + g.centre.top[0]; // of the top roller's centre on the block
-  if (x < g.riser || x > g.right) return "edge";
-  return Math.abs(FORMULAS.deformation(values)) * CM > g.travel + 8 ? "struck" : null;
+  const x = (top(values) - block(values)) * CM + place.centre.top[0]; // of the top roller's centre on the block
+  if (x < place.riser || x > place.right) return "edge";
+  return Math.abs(FORMULAS.deformation(values)) * CM > place.travel + 8 ? "struck" : null;
 }

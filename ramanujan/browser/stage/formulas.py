@@ -20,8 +20,8 @@ SHAPE_FACTORS = {"hoop": float(model.HOOP), "cylinder": float(model.SOLID_CYLIND
 def collect_formulas() -> dict[str, Any]:
     """Return name → expression for every expression that the stage evaluates, for rollers of any shape."""
     shape_factors = {name: sp.Symbol(f"beta_{name}", positive=True) for name in SHAPE_FACTORS}
-    bodies = machine(**shape_factors)
-    eliminated = eliminate(bodies)
+    general_machine = machine(**shape_factors)
+    eliminated = eliminate(general_machine)
     frequency_squared = eliminated.natural_frequency_squared
     Omega = sp.Symbol("Omega", positive=True)
     # Exact fractions of the decimals in the source text, such as 1/4 for 0.25.
@@ -30,8 +30,9 @@ def collect_formulas() -> dict[str, Any]:
     accelerations = {X.diff(t, 2): eliminated.X_ddot_from_phi_ddot, Phi.diff(t, 2): eliminated.Phi_ddot_from_phi_ddot}
     # φ has no drift, so φ̈ = −Ω²φ at all times.
     oscillation = {phi.diff(t, 2): -(Omega**2) * phi}
-    total = sum(body.mass for body in bodies.bodies)
-    forces = {name: force.subs(oscillation) for name, force in contact_forces(bodies).items()}
+    total = sum(body.mass for body in general_machine.bodies)
+    forces = {name: force.subs(oscillation) for name, force in contact_forces(general_machine).items()}
+    compression = sp.Symbol("compression")
     return {
         "natural_frequency": sp.sqrt(frequency_squared),
         "plain_frequency": sp.sqrt(k / m),
@@ -40,39 +41,39 @@ def collect_formulas() -> dict[str, Any]:
         "normalized_limit": sp.limit(unit_frequency_condition().normalized_frequency_squared, epsilon, 0),
         "motion": {
             str(q.func).replace("varphi", "phi"): dict(zip("abcd", parts, strict=True))
-            for q, parts in coefficients(bodies).items()
+            for q, parts in coefficients(general_machine).items()
         },
         "spacing": spacing,
-        "deformation": bodies.deformation,
-        "released_angle": sp.solve(bodies.deformation - sp.Symbol("compression"), bodies["hoop"].angle)[0],
-        "mass": {body.name: body.mass for body in bodies.bodies},
-        "displacement": {body.name: body.displacement for body in bodies.bodies},
-        "angle": {body.name: body.angle for body in bodies.bodies},
-        "velocity": {body.name: body.velocity for body in bodies.bodies},
-        "centre": sum(body.mass * sp.Symbol(body.name) for body in bodies.bodies) / total,
-        "kinetic_energy": {body.name: body.kinetic_energy for body in bodies.bodies},
-        "potential_energy": bodies.potential_energy,
-        "rolling": _rolling(bodies),
+        "deformation": general_machine.deformation,
+        "released_angle": sp.solve(general_machine.deformation - compression, general_machine["hoop"].angle)[0],
+        "mass": {body.name: body.mass for body in general_machine.bodies},
+        "displacement": {body.name: body.displacement for body in general_machine.bodies},
+        "angle": {body.name: body.angle for body in general_machine.bodies},
+        "velocity": {body.name: body.velocity for body in general_machine.bodies},
+        "centre": sum(body.mass * sp.Symbol(body.name) for body in general_machine.bodies) / total,
+        "kinetic_energy": {body.name: body.kinetic_energy for body in general_machine.bodies},
+        "potential_energy": general_machine.potential_energy,
+        "rolling": _rolling(general_machine),
         "contact_force": forces,
-        "spring_force": spring_forces(bodies),
-        "normal_force": normal_forces(bodies, spacing, g),
-        "floor_lever": floor_lever(bodies, g).subs(accelerations).subs(oscillation),
-        "weight": {body.name: body.mass * g for body in bodies.bodies},
+        "spring_force": spring_forces(general_machine),
+        "normal_force": normal_forces(general_machine, spacing, g),
+        "floor_lever": floor_lever(general_machine, g).subs(accelerations).subs(oscillation),
+        "weight": {body.name: body.mass * g for body in general_machine.bodies},
     }
 
 
 def collect_labels() -> dict[str, Any]:
     """Return the expressions shown in the picture, as text."""
-    bodies = machine()
+    paper_machine = machine()
     return {
-        "deformation": plain_text(bodies.deformation),
-        "rolling": {name: plain_text(velocity) for name, velocity in _rolling(bodies).items()},
+        "deformation": plain_text(paper_machine.deformation),
+        "rolling": {name: plain_text(velocity) for name, velocity in _rolling(paper_machine).items()},
     }
 
 
-def _rolling(bodies: Machine) -> dict[str, sp.Expr]:
+def _rolling(any_machine: Machine) -> dict[str, sp.Expr]:
     """Return the velocities of three points of a lower roller relative to the block: its contact, centre and top."""
-    roller = bodies["hoop"]
-    centre = sp.expand(roller.velocity - bodies["block"].velocity)
+    roller = any_machine["hoop"]
+    centre = sp.expand(roller.velocity - any_machine["block"].velocity)
     rim = R * roller.angle.diff(t)
     return {"contact": centre - rim, "centre": centre, "top": centre + rim}

@@ -15,13 +15,14 @@ const owners = new Map(); // page and prefix → the clock to which the address 
  * change, `send` is called with the view, which `VIEW` in __init__.py describes.
  */
 export function makeKeeper(stage, { clock: name, address_prefix: prefix, layers: defaultLayers, compact }, send, signal) {
-  // Only one clock of a page may write the names with this prefix.
+  // The address belongs to the newest clock with this prefix. At the next stop of a lesson, a new clock ignores the settings that
+  // the clock before it has written.
   const place = `${location.pathname} ${prefix}`, isOwner = (owners.get(place) ?? name) === name;
   const settings = isOwner ? dom.settings() : new URLSearchParams();
   const stages = () => [...stage.clock.stages];
   const setting = (key) => settings.get(prefix + key);
   let isWriting = false; // whether this stage writes the address
-  owners.set(place, name); // the next stop of the lesson has a new clock
+  owners.set(place, name);
 
   function write() {
     const join = (names) => [...names].sort().join() || "none";

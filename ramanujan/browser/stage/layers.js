@@ -23,8 +23,8 @@ const LABEL_WIDTH = 15; // cm, at least the width of the longest label of `drawR
 
 export function makeLayers(root) {
   const find = finder(root), layers = layerNames(root);
-  // `maxima` has the largest value of each kind of arrow, and `unitLengths` the length of an arrow of one unit [cm].
-  // `place` is the geometry from `layout`; `measure` determines both when a layer first needs them.
+  // `place` is the geometry from `layout`. `maxima` has the largest value of each kind of arrow, and `unitLengths` the length of
+  // an arrow of one unit [cm]. `measure` determines maxima and unit lengths when a layer first needs them.
   let shown = new Set(), place = null, maxima, unitLengths, data = {}, seenFrom = "ground", measure = null, isLayered = false;
 
   const [bars, names, shares] = [".bar i", ".legend span", ".legend b"].map((each) => [...root.querySelectorAll(each)]);

@@ -5,6 +5,7 @@ import { dom } from "../components/streamlit_dom.js";
 import { set } from "./svg.js";
 
 const BODY_OF = { X: "block", x0: "spring", R: "top", shared: "hoop" }; // arrow → body, for arrows with another name
+const ownerOf = (mark) => BODY_OF[mark] ?? mark;
 
 export function linkTerms(root, signal) {
   const [host, moving, marks] = [".stage", ".moving", ".coordinates"].map((each) => root.querySelector(each));
@@ -16,18 +17,16 @@ export function linkTerms(root, signal) {
   /** Highlight what belongs to the same body as the target of an event. */
   function highlight(event) {
     const node = event.composedPath()[0], mark = node.dataset?.of, term = dom.term(node);
-    const contains = (name) => (mark ? name === (BODY_OF[mark] ?? mark) : bodies.get(name).contains(node));
+    const owner = ownerOf(mark);
+    const belongsTo = (name) => (owner ? name === owner : bodies.get(name).contains(node));
     const hasColor = (name) => ink(name) === term.style.color;
-    const body = [...bodies.keys()].find(term ? hasColor : contains);
+    const body = [...bodies.keys()].find(term ? hasColor : belongsTo);
     // Between two terms of a formula the highlight stays.
     if (body === highlighted || (!body && dom.isFormula(node))) return;
     highlighted = body;
     host.classList.toggle("one-lit", Boolean(body));
     for (const part of moving.children) part.classList.toggle("lit", part === bodies.get(body));
-    for (const arrow of marks.children) {
-      const owner = BODY_OF[arrow.dataset.of] ?? arrow.dataset.of;
-      arrow.classList.toggle("lit", owner === body);
-    }
+    for (const arrow of marks.children) arrow.classList.toggle("lit", ownerOf(arrow.dataset.of) === body);
     sheet.textContent = body ? dom.termRule(ink(body)) : "";
   }
 
