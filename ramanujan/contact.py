@@ -284,6 +284,7 @@ def _scaled_force_load_ratios(oscillator: Oscillator, amplitude: float, spacing:
     This is c/(n − sA/L), with the coefficients c, n and s of the module docstring.
     """
     L = _check_spacing(oscillator, 2 * amplitude, spacing)
+    # Hoop and cylinder carry their smallest loads at opposite ends of the motion. Each force is largest at both ends.
     smaller_load = 1 / 2 - amplitude / L
     loads = _load_coefficients(oscillator, smaller_load, smaller_load)
     return {name: abs(force) / loads[name] for name, force in _force_coefficients(oscillator).items()}

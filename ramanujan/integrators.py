@@ -106,7 +106,7 @@ def rk4(acceleration: Acceleration, q: PerRun, v: PerRun, h: PerRun) -> tuple[Pe
 
 
 def yoshida4(acceleration: Acceleration, q: PerRun, v: PerRun, h: PerRun) -> tuple[PerRun, PerRun]:
-    """Advance by velocity Verlet steps w₁h, w₀h and w₁h, where w₀ is negative. [3] eq. (2.11).
+    """Advance by velocity Verlet steps of sizes w₁·h, w₀·h and w₁·h, where w₀ is negative. [3] eq. (2.11).
 
     >>> [round(x, 6) for x in yoshida4(lambda q: -q, 1.0, 0.0, 0.5)]
     [0.878616, -0.478891]
@@ -115,7 +115,9 @@ def yoshida4(acceleration: Acceleration, q: PerRun, v: PerRun, h: PerRun) -> tup
 
 
 def yoshida6(acceleration: Acceleration, q: PerRun, v: PerRun, h: PerRun) -> tuple[PerRun, PerRun]:
-    """Advance by seven velocity Verlet steps wh with YOSHIDA_6_WEIGHTS; two of them are negative. [3] solution A.
+    """Advance by seven velocity Verlet steps w·h, with the weights w in YOSHIDA_6_WEIGHTS. [3] solution A.
+
+    Two weights are negative.
 
     >>> [round(x, 6) for x in yoshida6(lambda q: -q, 1.0, 0.0, 0.5)]
     [0.877568, -0.479436]

@@ -16,7 +16,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 FloatOrArray = TypeVar("FloatOrArray", float, NDArray[np.float64], NDArray[np.floating])
-"""The type of a formula that maps a float to a float, and an array to an array of the same dtype."""
+"""The type of the argument and result of a formula: both are floats, or both are arrays of one dtype."""
 
 
 def finite(name: str, value: object) -> float:

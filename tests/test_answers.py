@@ -437,7 +437,7 @@ def test_mistakes_about_bodies_change_the_machine_and_end_in_a_question():
 
 @pytest.mark.parametrize("name", QUESTIONS)
 def test_each_result_has_one_mistake(name):
-    """Slips have different results. If two confusions of bodies have the same result, the judge names neither."""
+    """No two mistakes of a kind have the same result. If two confusions of bodies have, the judge names neither."""
     question = find_question(name)
     for mistakes_with_values in (question.values_of_slips, question.values_of_body_mistakes):
         for (first_hint, first), (second_hint, second) in combinations(mistakes_with_values, 2):

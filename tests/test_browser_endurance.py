@@ -36,7 +36,7 @@ TOPICS = ("machine", "time", "drawn", "seek", "story", "view")
 """The topics of a stage."""
 
 
-def watched(tab: object) -> object:
+def performance_client(tab: object) -> object:
     """Return the client of the browser's debugging protocol for `counts`."""
     client = tab.context.new_cdp_session(tab)
     client.send("Performance.enable")
@@ -54,7 +54,7 @@ def counts(tab: object, client: object) -> dict[str, float]:
 
 def test_theme_and_page_changes_leave_nothing_behind(visit: Callable) -> None:
     tab = visit()
-    client = watched(tab)
+    client = performance_client(tab)
 
     def topics_with_value(stage: str) -> set[str]:
         """Return the topics of a stage with a value on the bus."""
@@ -103,7 +103,7 @@ def test_a_running_stage_and_a_hundred_changes_leave_nothing_behind(bare: Callab
     picture, tab = Picture(here), here.page
     tab.evaluate(f"() => {{ {FAST_CLOCK} }}")
     tab.evaluate("setReducedMotion(false)")
-    client = watched(tab)
+    client = performance_client(tab)
 
     def change(times: int, key: str) -> None:
         """Change the machine by keys, and once by a message from the server."""

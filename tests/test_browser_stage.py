@@ -104,7 +104,7 @@ def test_buttons_layers_and_keys_have_the_same_effects(picture):
 
 
 @ANY_ENGINE
-def test_less_motion_is_a_still_described_in_words_and_the_preference_takes_effect_at_once(bare):
+def test_reduced_motion_shows_a_described_still_and_the_preference_takes_effect_at_once(bare):
     here = bare()
     here.sliders(m=1, m_prime=1, k=10, compression=8, radius=10)
     here.page.evaluate(RECORD_ANNOUNCEMENTS)
@@ -118,7 +118,7 @@ def test_less_motion_is_a_still_described_in_words_and_the_preference_takes_effe
     assert picture.find(play) == "Play"
     ghosts = "root.querySelectorAll('.ghosts > g').length"
     assert picture.find(ghosts) == 5
-    # Another machine has other exposures, which are hidden from screen readers.
+    # Another machine has other ghosts, which are hidden from screen readers.
     drawn = picture.find("root.querySelector('.ghosts').innerHTML")
     page.evaluate("document.querySelector('.st-key-m_prime input').focus()")
     page.keyboard.press("PageUp")
@@ -126,7 +126,7 @@ def test_less_motion_is_a_still_described_in_words_and_the_preference_takes_effe
     assert picture.find("root.querySelector('.ghosts').innerHTML") != drawn
     assert picture.find(ghosts) == 5
     assert picture.find("root.querySelectorAll('.ghosts :is([role], [tabindex], [aria-valuenow])').length") == 0
-    # The last exposure is half a period later, with the opposite compression.
+    # The last ghost is half a period later, with the opposite compression.
     x = "(ghost, name) => ghost.querySelector(name).transform.baseVal[0].matrix.e"
     first, last = picture.find(
         f"[0, 4].map((i) => root.querySelectorAll('.ghosts > g')[i])"
@@ -148,6 +148,7 @@ def test_less_motion_is_a_still_described_in_words_and_the_preference_takes_effe
     next_frame(page)
     assert (picture.find(play), picture.find(ghosts)) == ("Play", 5)
     picture.show(Oscillator(1, UNIT_MASS_RATIO, 10), 0.08)
+    # Without sliders, the numbers of the message are described.
     page.evaluate("document.querySelectorAll('.slider').forEach((each) => each.remove())")
     picture.show(Oscillator(1, UNIT_MASS_RATIO, 10), 0.08)
     assert "in step" in page.evaluate("announced.at(-1)")

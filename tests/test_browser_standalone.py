@@ -173,12 +173,13 @@ def test_the_curve_and_its_marks_agree_with_the_machine(window, file, engine):
     points = [tuple(map(float, each.split())) for each in path[1:].split("L")]
     corner = "(line) => [line.x1, line.y1].map((each) => each.baseVal.value)"
     places = page.evaluate(f"[...document.querySelectorAll('.curve .grid')].map({corner})")
-    left, ten_times = places[0][0], places[1][0]
-    zero, half = places[4][1], places[5][1]
+    # The vertical lines of the grid precede the horizontal ones.
+    x_at_0_01, x_at_0_1 = places[0][0], places[1][0]
+    y_at_0, y_at_half = places[4][1], places[5][1]
     for x, y in points[::12]:
-        ratio = 0.01 * 10 ** ((x - left) / (ten_times - left))
+        ratio = 0.01 * 10 ** ((x - x_at_0_01) / (x_at_0_1 - x_at_0_01))
         omega_squared, _plain = exact({"m": 1, "m_prime": ratio, "k": 1})
-        assert (zero - y) / (zero - half) / 2 == pytest.approx(float(omega_squared), abs=1e-4)
+        assert (y_at_0 - y) / (y_at_0 - y_at_half) / 2 == pytest.approx(float(omega_squared), abs=1e-4)
     # A click near the star selects the ratio in step.
     page.locator(".curve circle.unit").click(force=True)
     page.wait_for_function("Math.abs(ramanujan.last('drawn/oscillator').normalized - 1) < 1e-14")

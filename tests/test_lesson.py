@@ -287,7 +287,7 @@ def test_the_explanations_quote_the_right_numbers():
     assert run.machine.period > 1e40
 
 
-def test_the_samples_of_a_wrong_motion_are_those_of_its_run():
+def test_a_sampled_motion_has_equidistant_states_of_the_run():
     for method, steps in computing.STEPS_PER_PERIOD.items():
         shown = computing.sample_history(method)
         q = computing.compute_history(method).q

@@ -269,7 +269,7 @@ EXACT = {"most", "least", "bound", "within", "tolerance", "cost", "periods", "mu
 
 
 def bounds() -> list[tuple[str, str, str]]:
-    """Return every bound in a message with its slot and the format of the slot."""
+    """Return each phrase with a bound, such as “at most {x:3↑}”, its slot, and the format of the slot."""
     return [(match[0], match[2], match[3] or "") for text in every_text() for match in BOUND.finditer(text)]
 
 

@@ -157,7 +157,7 @@ SPELLED = dict(zip((*model.VELOCITIES, model.m, model.m_prime, model.k, model.R,
 
 
 def by_the_inverse_matrix(machine: model.Machine, at_point: dict) -> dict[str, sp.Expr]:
-    """Return the remainders of a machine's equations of motion. M⁻¹e_φ is the shape of the oscillating mode."""
+    """Return question → right answer for a machine, from M⁻¹e_φ, the shape of the oscillating mode."""
     M = sp.hessian(machine.kinetic_energy, model.VELOCITIES).subs(at_point)
     stiffness = machine.potential_energy.diff(model.phi, 2).subs(at_point)
     if not any(M[2, :]):
@@ -427,7 +427,7 @@ def _true_of_number(message: str, given: sp.Expr) -> bool:
     for words, number in BY_QUADRATIC.items():
         if words in message:
             return same(given, number)
-    rational, irrational = given.expand().as_independent(*given.atoms(sp.Pow))
+    rational, irrational = given.expand().as_independent(*given.atoms(sp.Pow), as_Add=True)
     calls_root_right = "part of your answer with the root is right" in message
     calls_rest_right = "part of your answer without the root is right" in message
     are_parts_true = (not calls_root_right or same(irrational, sp.sqrt(1729) / 36)) and (

@@ -376,7 +376,7 @@ class Classes:
         return rows[0][0] if rows else None
 
     def read_view(self, code: str) -> tuple[str | None, float]:
-        """Return the desk's last view and its age [s]."""
+        """Return the desk's view of the machine as `set_view` stored it, and its age [s]."""
         rows = self._store.read("SELECT seen, seen_at FROM class WHERE code = ?", (code,))
         view, stored_at = rows[0] if rows else (None, None)
         return view, self._clock() - (stored_at or 0.0)

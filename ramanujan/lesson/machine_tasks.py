@@ -84,6 +84,7 @@ def judge_parting(attempt: Attempt) -> TaskVerdict:
         return miss_goal(
             _("The hands stay together: the machine is in step. The goal is one full turn in ten periods.")
         )
+    # A number within the tolerance may differ from the goal only in its fourth digit.
     sentences = (
         _("The hands are one full turn apart after {periods:4} periods of the plain mass."),
         _("The hands are one full turn apart after {periods:3} periods of the plain mass, {off} too late."),

@@ -54,7 +54,7 @@ def _friction_numbers() -> dict[str, object]:
 
 
 def _lightest_without_top_slip() -> float:
-    """Return the smallest mass ratio, in steps of 0.01, at which the top cylinder is not the first to slip."""
+    """Return the smallest mass ratio, in steps of 0.01, at which the top contact is not the first to slip."""
     for ratio in np.arange(0.01, 5.0, 0.01):
         machine = replace(EQUAL, m_prime=ratio * EQUAL.m)
         if first_to_slip(machine, COMPRESSION, _SPACING) != "top_block":

@@ -138,7 +138,7 @@ def _candidate_numbers() -> dict[str, object]:
 
 
 def _find_exact_candidate() -> str:
-    """Return the option for the exact mass ratio: a candidate, or that it is irrational."""
+    """Return the option for the exact mass ratio: a candidate, "irrational", or else "several"."""
     for name, ratio in CANDIDATES.items():
         if evaluate_quadratic(ratio) == 0:
             return name

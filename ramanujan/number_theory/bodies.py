@@ -117,8 +117,8 @@ class BodyChoice:
     Parameters
     ----------
     left, right, top : the two lower rollers (in any order) and the top body, names in BODIES
-    target : w = Ω²m/k, dimensionless; with numerator and denominator up to 1000 the discriminant of a machine
-        built from BODIES can always be factored
+    target : w = Ω²m/k, dimensionless. If numerator and denominator are at most 1000, the discriminant of a machine
+        built from BODIES can be factored. Larger numbers are accepted, too.
 
     Raises
     ------

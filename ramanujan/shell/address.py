@@ -220,7 +220,7 @@ def update(*parameters: URLParameter) -> Any:
     """
     for parameter in parameters:
         if parameter.is_bound:
-            if not fits(parameter):
+            if not has_valid_value(parameter):
                 st.query_params.pop(parameter.name, None)
             continue
         value = current(parameter)
@@ -278,7 +278,7 @@ def _network_host() -> str | None:
     return None if ipaddress.ip_address(host).is_loopback else host
 
 
-def fits(parameter: URLParameter) -> bool:
+def has_valid_value(parameter: URLParameter) -> bool:
     """Return whether the address contains no value of a parameter, or exactly one valid value."""
     _value, sentence = _read(parameter)
     return sentence is None

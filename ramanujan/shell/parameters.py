@@ -10,7 +10,7 @@ import streamlit as st
 
 from ramanujan import Oscillator
 from ramanujan.numerals import number, quantity
-from ramanujan.shell.address import URLParameter, fits, strip_punctuation
+from ramanujan.shell.address import URLParameter, has_valid_value, strip_punctuation
 from ramanujan.translation import _
 
 
@@ -71,7 +71,7 @@ class Parameter(URLParameter):
     @property
     def value(self) -> float:
         """The value in this unit. Before the slider is drawn, it is the value in the address."""
-        if self.name not in st.session_state and self.name in st.query_params and fits(self):
+        if self.name not in st.session_state and self.name in st.query_params and has_valid_value(self):
             return self.read(st.query_params[self.name])
         return st.session_state.get(self.name, self.default)
 

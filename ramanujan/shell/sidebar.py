@@ -87,7 +87,7 @@ def draw_more(offered: Collection[str], folded: Collection[str]) -> None:
 
 
 def draw_presets(offered: Collection[str]) -> None:
-    """Draw buttons for interesting machines, and the reset button."""
+    """Draw a button for each offered preset: an interesting machine, or the default values."""
     st.pills(
         _("Presets"),
         offered,
@@ -201,7 +201,10 @@ def request_ratio(ratio: float, digits: int = 17) -> None:
 
 
 def _set_ratio(ratio: float, digits: int) -> None:
-    """Set m′ = εm. If no m′ in its range fits, also change m, as little as possible, and show a message."""
+    """Set m′ = εm, with this number of significant digits of m′.
+
+    If no m′ in its range fits, also change m, as little as possible, and show a message.
+    """
     # m′ is the mass of the lower rollers, m that of the other bodies.
     rollers, others = PARAMETERS["m_prime"], PARAMETERS["m"]
     ratio = min(max(ratio, rollers.least / others.most), rollers.most / others.least)

@@ -51,7 +51,8 @@ def step(
     numbers : numbers to insert, or None for symbols
     inks : colours of the terms
     equal_masses : whether m′ = m
-    wide : whether each operation is behind its equation, whatever the width of the equation
+    wide : whether each operation, such as “divide by m”, is always to the right of its equation; otherwise it is
+        below an equation that is too long
     """
     symbolic = route(name, equal_masses).steps[number]
     adapted = symbolic.for_numbers(numbers)

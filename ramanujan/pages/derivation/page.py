@@ -150,6 +150,7 @@ def select_step(route: str, step: int) -> None:
         st.session_state[STEP.name] = step
 
 
+# “beside” is the machine beside the steps, which follows the sliders.
 @st.fragment(key="beside")
 def turn_pages(setting: Setting) -> None:
     """Draw the pager of a lecture, and publish the machine to the stage and the boxes of the sliders.

@@ -236,7 +236,10 @@ def _follow_desk(current: ClassQuestion, place: str) -> None:
 
 
 def _attendance_sentence(place: str, current: ClassQuestion) -> str:
-    """Return a sentence about attendance and answers for a desk at this place, or about the place of the class."""
+    """Return a sentence about the class for a desk at this place.
+
+    It states attendance or answers. If the class is at another place, it states that place instead.
+    """
     if not current.is_known:
         return class_results.unknown_stop_sentence()
     if current.stop is None or current.stop == place == END:

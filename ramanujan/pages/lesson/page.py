@@ -15,8 +15,8 @@ from ramanujan.shell.sections import exercise, tasks
 from ramanujan.translation import _, ngettext
 
 URL_PARAMETERS = (*progress.URL_PARAMETERS, *tasks.URL_PARAMETERS, *exercise.URL_PARAMETERS)
-# Number of stops on a slide of the projector view: with their notes, and with their results.
-_NOTES, _LINES = 3, 9
+_NOTES_PER_SLIDE, _RESULTS_PER_SLIDE = 3, 9
+"""Numbers of stops on a slide of the projector view: with their notes, and with their results."""
 ENDING = _("What you have seen")
 _ONWARDS = {
     "oscillator": _("Look for the ratio in step yourself, on the page Oscillator"),
@@ -127,7 +127,7 @@ def draw_end(path: tuple[lesson.Stop, ...]) -> None:
         labels = {"chosen": stop.options[chosen], "right": stop.options[stop.right]}
         lines.append(line.format(heading=stop.heading, **labels))
     sentence = _("You answered {answered} of {stops} questions. Your prediction was right at {right} of them.")
-    first = _LINES if is_projector() else len(lines)
+    first = _RESULTS_PER_SLIDE if is_projector() else len(lines)
     with slide("seen", ENDING):
         st.title(ENDING, anchor=False)
         st.markdown(sentence.format(answered=answered, stops=len(path), right=right))
@@ -160,8 +160,8 @@ def draw_notes(_head: st.delta_generator.DeltaGenerator) -> None:
         if not (class_session.lecturer_key() or st.toggle(label, key="notes_shown")):
             return
     left, right = columns("notes")
-    for start in range(0, len(lesson.STOPS), _NOTES):
-        group = lesson.STOPS[start : start + _NOTES]
+    for start in range(0, len(lesson.STOPS), _NOTES_PER_SLIDE):
+        group = lesson.STOPS[start : start + _NOTES_PER_SLIDE]
         column = left if start < len(lesson.STOPS) / 2 else right
         with column, slide(f"notes_{start}", group[0].heading):
             for number, stop in enumerate(group, start=start + 1):

@@ -24,7 +24,7 @@ WALL_STYLE = (
 A style sheet for all pages would need :has(), which adds 2 s to the loading time of Motion.
 """
 
-_READS = "wall_reads"
+_UNCHANGED_READS = "wall_reads"
 """Session state: the last state of the class → how often the wall has read that state again."""
 _REDRAW_AFTER = 6
 """Number of unchanged reads after which the wall is redrawn once.
@@ -48,7 +48,8 @@ def _draw(code: str) -> None:
         try:
             question = class_session.read_question(code)
         except ClassError:
-            st.session_state.pop(_READS, None)
+            # Otherwise the fragment would rerun the page once more.
+            st.session_state.pop(_UNCHANGED_READS, None)
             _follow_class(code)
             st.button(_("Leave this class"), key="class_leave", on_click=class_session.leave)
             return
@@ -94,13 +95,13 @@ def _follow_class(code: str) -> None:
     try:
         current = class_session.read_question(code)
     except ClassError as error:
-        if st.session_state.pop(_READS, None):
+        if st.session_state.pop(_UNCHANGED_READS, None):
             st.rerun()
         st.warning(str(error))
         return
     state = (current.stop, current.vote, current.phase)
-    unchanged_reads = st.session_state.get(_READS, {}).get(state, -1) + 1
-    st.session_state[_READS] = {state: unchanged_reads}
+    unchanged_reads = st.session_state.get(_UNCHANGED_READS, {}).get(state, -1) + 1
+    st.session_state[_UNCHANGED_READS] = {state: unchanged_reads}
     if unchanged_reads in (0, _REDRAW_AFTER) or class_session.settings_differ(shared().read_machine(code)):
         st.rerun()
     class_session.show_desk_view(code)

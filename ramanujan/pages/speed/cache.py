@@ -85,7 +85,7 @@ def races() -> tuple[WorkPrecision, ...]:
 
 
 def parts_of_diagram(periods: int) -> list[Callable[[], object]]:
-    """Return the parts of a work-precision diagram as calls of cached functions: first errors, then times."""
+    """Return functions without arguments that fill the caches of a diagram part by part: first errors, then times."""
     parts: list[Callable[[], object]] = []
     for method, dtype in _CURVES:
         parts += [partial(errors, method, dtype, part) for part in _CACHED_PERIODS if part <= periods]

@@ -139,7 +139,7 @@ def draw_diagram(periods: int, by: str, tolerance: float) -> None:
 
 
 def _describe_measurement(periods: int, spread: float) -> str:
-    """Return the caption of the diagram; `spread` is the typical range of repeated times, relative to the median."""
+    """Return the caption of the diagram; `spread` is the typical width of the middle half of times."""
     points = ngettext(
         "Each point is the largest error in one period.",
         "Each point is the largest error in {n:word} periods.",

@@ -43,7 +43,7 @@ def unit_equations() -> tuple[str, ...]:
 
 
 def discriminant_written_out() -> tuple[str, str]:
-    """Return, as LaTeX, the discriminant b² − 4ac of the paper's machine, and the sum of cubes with the same terms."""
+    """Return, as LaTeX, the paper's discriminant b² − 4ac, and the sum of two cubes with the terms b² and −4ac."""
     a, b, c = PAPER.quadratic
     with sp.evaluate(False):
         expanded = sp.Add(sp.Pow(b, 2), sp.Mul(4, a, -c))

@@ -155,7 +155,7 @@ def draw_head(machine: Oscillator, paper: str, seed: str, calculation_numbers: l
     Parameters
     ----------
     machine : the machine whose values the calculations use
-    paper : an option of `PAPER`
+    paper : the kind of sheet, "questions" or "key"
     seed : name of the worksheet
     calculation_numbers : the numbers of the questions that are calculations
     points : sum of the points of all questions
