@@ -13,6 +13,7 @@ import urllib.request
 from base64 import b64encode
 from email.message import Message
 from pathlib import Path
+from urllib.parse import urlsplit
 from weakref import WeakKeyDictionary
 
 import pytest
@@ -31,6 +32,8 @@ FLAGS = ["--no-sandbox", "--disable-gpu", "--disable-background-networking", "--
 
 STAGE = "document.querySelector('.st-key-stage [data-testid=stBidiComponentIsolated]').shadowRoot"
 _FINISHED = {ForwardMsg.FINISHED_SUCCESSFULLY, ForwardMsg.FINISHED_FRAGMENT_RUN_SUCCESSFULLY}
+_LAST_LINES = 60
+"""Number of lines of the app's log in the report of a failing test."""
 _QUIET = 350
 """Milliseconds without a message, measured by the page's timer, after which the page is complete.
 
@@ -47,13 +50,14 @@ class running:  # noqa: N801 (reads as a sentence: with running(app) as address)
             port = probe.getsockname()[1]
         self.address = f"http://127.0.0.1:{port}"
         command = [sys.executable, "-m", "streamlit", "run", str(script), "--server.headless", "true"]
-        self.process = subprocess.Popen(
-            [*command, "--server.address", "127.0.0.1", "--server.port", str(port)],
-            cwd=ROOT,
-            env=os.environ | variables,
-            stdout=subprocess.DEVNULL,
-            stderr=subprocess.DEVNULL,
-        )
+        with log_file(self.address).open("w") as log:
+            self.process = subprocess.Popen(
+                [*command, "--server.address", "127.0.0.1", "--server.port", str(port)],
+                cwd=ROOT,
+                env=os.environ | variables,
+                stdout=subprocess.DEVNULL,
+                stderr=log,
+            )
 
     def __enter__(self) -> str:
         try:
@@ -65,6 +69,12 @@ class running:  # noqa: N801 (reads as a sentence: with running(app) as address)
     def __exit__(self, *_: object) -> None:
         self.process.terminate()
         self.process.wait()
+        log_file(self.address).unlink(missing_ok=True)
+
+
+def log_file(address: str) -> Path:
+    """Return the file with the errors and warnings of the app at an address."""
+    return Path(tempfile.gettempdir()) / f"ramanujan-app-{urlsplit(address).port}.log"
 
 
 def wait_for_start(address: str) -> str:
@@ -88,13 +98,15 @@ PAGES = pytest.StashKey[list[Page]]()
 
 
 def evidence(page: Page, name: str) -> str:
-    """Save a screenshot of a page. Return its path, the page's address and the messages of the console."""
+    """Save a screenshot of a page. Return its path, the page's address, the console's messages and the app's log."""
     folder = Path(tempfile.gettempdir()) / "ramanujan-failures"
     folder.mkdir(exist_ok=True)
     picture = folder / (re.sub(r"[^\w-]+", "_", name)[:100] + ".png")
     page.screenshot(path=picture)
     console = [f"console {message.type}: {message.text}" for message in page.console_messages()]
-    return "\n".join([f"screenshot: {picture}", f"address: {page.url}", *console])
+    log = log_file(page.url)
+    lines = log.read_text(encoding="utf-8").splitlines()[-_LAST_LINES:] if log.exists() else []
+    return "\n".join([f"screenshot: {picture}", f"address: {page.url}", *console, "log of the app:", *lines])
 
 
 class Traffic:
