@@ -15,8 +15,8 @@ from ramanujan.shell.sections import exercise, tasks
 from ramanujan.translation import _, ngettext
 
 URL_PARAMETERS = (*progress.URL_PARAMETERS, *tasks.URL_PARAMETERS, *exercise.URL_PARAMETERS)
+# Numbers of stops on a slide of the projector view: with their notes, and with their results.
 _NOTES_PER_SLIDE, _RESULTS_PER_SLIDE = 3, 9
-"""Numbers of stops on a slide of the projector view: with their notes, and with their results."""
 ENDING = _("What you have seen")
 _ONWARDS = {
     "oscillator": _("Look for the ratio in step yourself, on the page Oscillator"),
