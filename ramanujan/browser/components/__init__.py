@@ -33,7 +33,7 @@ The topics of the bus, where NAME is the name of a stage, CLOCK of a clock, and 
     sliders           a request to open the drawer with the sliders
 """
 
-import math
+import sys
 from collections.abc import Callable, Mapping, Sequence
 from typing import Any
 
@@ -319,9 +319,17 @@ def mount(
 
 
 def _has_type_of(value: Any, example: Any) -> bool:
-    """Whether a value has the type of an example. A float may be an integer, and must be finite."""
+    """Return whether a value has the type of an example.
+
+    A whole number is also accepted for a float. Infinity, NaN and numbers beyond the largest float are not.
+
+    >>> _has_type_of(1, 0.5), _has_type_of(10**400, 0.5), _has_type_of(True, 0.5)
+    (True, False, False)
+    """
     if isinstance(example, dict):
         return isinstance(value, dict) and all(_has_type_of(value.get(name), part) for name, part in example.items())
-    if isinstance(example, float):
-        return isinstance(value, int | float) and math.isfinite(value)
-    return isinstance(value, type(example)) and not isinstance(value, bool)
+    if isinstance(value, bool):
+        return False
+    if isinstance(example, float) and isinstance(value, int | float):
+        return abs(value) <= sys.float_info.max
+    return isinstance(value, type(example))
