@@ -131,7 +131,7 @@ def implicit_midpoint(acceleration: Acceleration, q: PerRun, v: PerRun, h: PerRu
     Elimination of q_new and v_new gives y = q + ½h·v + ¼h²·a(y). With a(y) = sy the solution is
     y = (q + ½h·v)/(1 − ¼h²s). The first evaluation gives the slope s = a(1), the second one a(y).
 
-    Source: [1] eq. (I.1.7); item 6 of the contract.
+    Source: [1] eq. (I.1.7); item 6 of the contract in the module docstring.
 
     >>> [round(x, 6) for x in implicit_midpoint(lambda q: -q, 1.0, 0.0, 0.5)]
     [0.882353, -0.470588]
@@ -169,7 +169,7 @@ def trajectory(
     Parameters
     ----------
     method : one of METHODS
-    acceleration : a(q) [m/s² or rad/s²], see items 1, 2 and 6 of the contract
+    acceleration : a(q) [m/s² or rad/s²], see items 1, 2 and 6 of the contract in the module docstring
     q, v : initial positions [m or rad] and velocities, of the same shape, with one element for each run
     h : time step [s], one number for all runs, or an array of the shape of q
 

@@ -27,7 +27,7 @@ _PSEUDO_SETTINGS = {"decimal mark": ",", "LaTeX package babel": "english"}
 
 
 class PseudoLanguage(gettext.NullTranslations):
-    """Every message with accents and padding; formulas, slots and marks are unchanged."""
+    """Every message with accents and padding; formulas, slots and Markdown marks are unchanged."""
 
     def gettext(self, message: str) -> str:
         if not message.strip():

@@ -226,6 +226,7 @@ def test_first_and_second_vote_are_compared_student_by_student(school, opened):
         school.begin_second_vote(opened.key) if number == 1 else school.show(opened.key, Phase.REVEALED)
     assert school.read_distribution(opened.code, "faster", FIRST) == {"machine": 2, "plain": 4, "neither": 2}
     assert school.read_distribution(opened.code, "faster", Vote(1, 2)) == {"machine": 5, "plain": 1, "neither": 2}
+    # (right in the first vote, right in the second vote) → number of students
     changes = {(False, True): 3, (True, False): 1, (True, True): 1, (False, False): 2}
     assert school.count_changes(opened.code, "faster", "machine") == changes
 

@@ -50,7 +50,7 @@ EYES = {
 
 
 def differences(colors: list[str], model: str, deficiency: simulate.Deficiency | None) -> list[float]:
-    """Return CIEDE2000 of each pair of colours, for an eye without one kind of cone."""
+    """Return CIEDE2000 of each pair of colours, for an eye without one kind of cone, or for a normal eye."""
     with warnings.catch_warnings():  # warnings about the library's plotting functions
         warnings.simplefilter("ignore")
         import colour

@@ -336,6 +336,7 @@ def test_the_end_of_a_class_releases_all_screens(lecturer):
 
 def test_the_server_deletes_expired_answers_again_and_again(tmp_path, monkeypatch, school):
     monkeypatch.setattr(server, "DELETION_INTERVAL", 0.01)
+    # The classes of 1970 have expired.
     earlier = classes.Classes(tmp_path / "classes.sqlite", lambda: 0.0)
 
     def count_classes() -> int:

@@ -133,7 +133,7 @@ def _paper(m: FloatArray, m_prime: FloatArray, k: FloatArray) -> FloatArray:
 
 
 def _scaled(m: FloatArray, m_prime: FloatArray, k: FloatArray) -> FloatArray:
-    """Return Ω² from the smaller mass divided by the larger one, so that no square overflows."""
+    """Return Ω² from the smaller mass divided by the larger one, so that no returned square overflows."""
     ratio, inverse = m_prime / m, m / m_prime
     for_light_rollers = k / m * (8 * (7 + 6 * ratio) / (32 + ratio * (49 + 18 * ratio)))
     for_heavy_rollers = k / m_prime * (8 * (6 + 7 * inverse) / (18 + inverse * (49 + 32 * inverse)))

@@ -174,6 +174,7 @@ def is_unit_ratio(mass: float, roller_mass: float) -> bool:
     (True, False)
     """
     root = _unit_ratio_to_fifty_digits()
+    # The shortest decimal of a float is the number that was typed.
     product = root * Fraction(repr(float(mass)))
     return roller_mass in (float(root) * mass, float(product)) or mass == roller_mass / float(root)
 

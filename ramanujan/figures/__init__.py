@@ -109,7 +109,7 @@ def legend(bottom: float = 1.02, orientation: str = "h") -> dict[str, Any]:
     Parameters
     ----------
     bottom : its lower edge, in fractions of the plotting area
-    orientation : "h" for rows; "v" for a column. Long names in rows could overlap when the window becomes wider.
+    orientation : "h" for rows; "v" for a column, in which long names cannot overlap after the window was resized
     """
     return {
         "showlegend": True,

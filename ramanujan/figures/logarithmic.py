@@ -43,7 +43,7 @@ def level_line(ends: Sequence[float], level: float, name: str, colors: Colors) -
 
 
 def axis_with_room(title: str, curves: Sequence[np.ndarray], most: float) -> tuple[dict[str, Any], Scale, float]:
-    """Return an axis of exponents, the scale of its values, and the exponent below which it is compressed.
+    """Return an axis of exponents, the function that places values on it, and the upper end of its compressed part.
 
     If some curves, such as rounding errors, are far below the others, the lower decades are compressed.
 

@@ -26,7 +26,7 @@ class Vote(NamedTuple):
     """One of the votes on a stop.
 
     times_asked : how many times the lecturer has opened this question with new votes, from 1
-    number : 1 for the vote before students talk to their neighbours, 2 for the vote after it, on the same opening
+    number : 1 for the vote before students talk to their neighbours, 2 for the vote after that, within the same opening
     """
 
     times_asked: int = 1

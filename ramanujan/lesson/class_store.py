@@ -209,7 +209,7 @@ class SqliteStore(Store):
         return self.path.exists()
 
     def is_busy(self, error: Exception) -> bool:
-        """Return whether another process has locked the file."""
+        """Return whether the error states that another process has locked the file."""
         return getattr(error, "sqlite_errorcode", 0) & 0xFF in (sqlite3.SQLITE_BUSY, sqlite3.SQLITE_LOCKED)
 
     def _schema(self, connection: sqlite3.Connection) -> int:

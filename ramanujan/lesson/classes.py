@@ -73,7 +73,7 @@ class Classes:
     """All classes of one database.
 
     address : the path of a file, or the address of a PostgreSQL server
-    clock : seconds since 1970, the same for all processes
+    clock : function that returns the seconds since 1970, the same for all processes
     """
 
     def __init__(self, address: str | Path, clock: Callable[[], float] = time.time) -> None:

@@ -26,7 +26,7 @@ def turns_ahead(machine: Oscillator) -> float:
 
 
 def rotation_share(machine: Oscillator) -> float:
-    """Return the share of the lower rollers' rotation in the kinetic energy, which is constant in time."""
+    """Return the share of the lower rollers' rotation in the kinetic energy. The share is the same at all times."""
     stored = energies(machine, *state_after(1 / 4, machine))
     kinetic = sum(float(value) for name, value in stored.items() if name != "spring")
     return float(stored["hoop_rotation"] + stored["cylinder_rotation"]) / kinetic

@@ -95,7 +95,10 @@ def draw_tikz(machine: Oscillator, compression: float, colors: Mapping[str, str]
 
 
 def _draw(machine: Oscillator, compression: float) -> _Drawing:
-    """Draw the machine at its release. With the spring relaxed, the block begins at x = 0; the floor is at y = 0."""
+    """Draw the machine at its release.
+
+    x is measured from the left edge that the block has while the spring is relaxed, y from the floor.
+    """
     q, _q_dot = motion(machine, released(machine, compression), 0.0)
     shift = {name: float(x) * _CM for name, x in ground_positions(machine, q).items()}
     R, x0 = machine.radius * _CM, compression * _CM

@@ -19,7 +19,7 @@ class Attempt:
     glide, spin : initial velocity of the machine to the right [m/s], and of the top cylinder, clockwise [rad/s]
     method, steps : name of an integrator in METHODS, and its steps per period
     bodies : left roller, right roller and top body, names in `number_theory.BODIES`
-    formula : a typed formula, empty before the first
+    formula : the typed formula; empty if none was typed
     part : a typed part of a period, None without a readable number
     seconds, periods : the time on the stopwatch, None before a measurement, and the number of measured periods
     """

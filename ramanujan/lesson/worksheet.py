@@ -140,7 +140,7 @@ def _make_prediction(stop: Stop, source: random.Random) -> WorksheetQuestion:
 def _make_calculations(machine: Oscillator, target: Fraction) -> tuple[WorksheetQuestion, ...]:
     """Return the questions about this machine, with exact answers.
 
-    `space` also sets the points for a right answer, so each question has a fixed number, the same for every machine.
+    `space` also sets the points for a right answer, so each question has a fixed `space`, the same for every machine.
     """
     values = Numbers.of(machine).exact
     ratio = sp.radsimp(values[m_prime] / values[m])

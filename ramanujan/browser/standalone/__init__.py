@@ -197,6 +197,7 @@ def _write_style() -> str:
     """Return the style sheet with the colours of both themes and the fonts in it."""
     contents = modules.collect_files()
     rules = re.findall(r"@font-face \{.*?\n\}", contents["components/page.css"].decode(), re.DOTALL)
+    # The file embeds its own fonts, which have the same names.
     fonts = re.sub(
         r"url\(fonts/(.*?)\)", lambda match: _embed_font(contents[f"standalone/{match[1]}"]), "\n".join(rules)
     )

@@ -174,7 +174,10 @@ def _row(
 
 
 def _owners(symbolic: sp.Eq) -> list[str]:
-    """Return the part of the machine for each term of a sum. For a sum of two cubes, return "cube" for the first."""
+    """Return the part of the machine for each term of a sum.
+
+    In a sum of two cubes only the first cube has a colour, "cube".
+    """
     _base, exponent = symbolic.rhs.args[0].as_base_exp()
     if exponent == _CUBE:
         return ["cube"]

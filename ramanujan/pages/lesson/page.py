@@ -90,7 +90,7 @@ def draw_stops(head: st.delta_generator.DeltaGenerator) -> None:
             number,
             go_to,
             page_keys_turn=not class_session.lecturer_key(),
-            refusal=stops.confirmed_stop(),
+            refusal=stops.confirmed_stop(),  # It changes whenever `go_to` refuses a turn.
         )
     if number <= len(path):
         stops.draw(path[number - 1], number)

@@ -200,6 +200,7 @@ def _arrangement(stop: Stop, running: bool) -> str:
     """Return the key with which the style sheets select the size of the picture."""
     if len(stop.runs) > 1 and running:
         return _SEVERAL[len(stop.runs)]
+    # Beside dials or an exhibit, the machine has only a part of the height.
     return "part" if stop.shows_dials or stop.exhibit else "one"
 
 

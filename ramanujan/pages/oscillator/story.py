@@ -28,7 +28,7 @@ OPENING = 2
 SCREEN_PERIOD = 0.6
 """Duration of a period of the plain mass on the screen during the story [s]."""
 _TOO_HEAVY = 1.25
-"""A mass ratio about as far above ε* as equal masses are below. The slider has a step at this ratio."""
+"""A mass ratio about as far above ε* as ε = 1 is below ε*. The slider has a step at this ratio."""
 STILL_PERIODS = 2
 """Time at which the still clocks are drawn [periods of the plain mass]."""
 _KNOTS = 10

@@ -22,7 +22,7 @@ _VISIBLE = 0.05
 _LEAST_ERROR, _LARGEST_ERROR = 1e-12, 0.5
 """Errors between which a curve has a slope: above rounding errors, and smaller than the motion."""
 _STEEPER = 0.3
-"""Smallest difference between a slope and the order of the method that the page explains."""
+"""The page explains a slope that exceeds the order of its method by more than this."""
 
 Table = list[tuple[str, ...]]
 

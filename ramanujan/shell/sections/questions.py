@@ -120,7 +120,7 @@ def publish_machine() -> None:
 
 
 def draw_box(name: str, with_step: bool, route: str = "") -> None:
-    """Draw the text of a question, its box, the verdict, and the hints unless the question is before a step.
+    """Draw the text of a question, its box, the verdict, and the hints unless a route is passed.
 
     Parameters
     ----------
