@@ -63,7 +63,7 @@ DOTS = _("A dot denotes the derivative with respect to time.")
 def nomenclature(route: Route) -> dict[str, str]:
     """Return the symbols of a route, LaTeX → meaning: first the machine's symbols, then other symbols of its steps.
 
-    A subscript that names a body is replaced by “body”: v_body stands for v_hoop, v_slab and others. A meaning is a
+    The word “body” replaces the name of a body in a subscript: v_body stands for v_hoop, v_slab and the others. A meaning is a
     phrase, Markdown with $…$.
 
     >>> from ramanujan.derivation import ROUTES

@@ -26,7 +26,7 @@ values = [st.slider(name, 0.5, 5.0, 1.0, 0.01, key=name) for name in ("m", "m_pr
 st.text(f"picture {values}")
 """
 VISITS = 7
-"""Number of visits, of which the median is reported."""
+"""Number of visits. The report shows the medians of their times."""
 FIRST_PICTURE = """
 const look = () => {
   if (%s) window.firstPicture = performance.now() / 1000;
