@@ -63,8 +63,8 @@ DOTS = _("A dot denotes the derivative with respect to time.")
 def nomenclature(route: Route) -> dict[str, str]:
     """Return the symbols of a route, LaTeX → meaning: first the machine's symbols, then other symbols of its steps.
 
-    The word “body” replaces the name of a body in a subscript: v_body stands for v_hoop, v_slab and the others. A meaning is a
-    phrase, Markdown with $…$.
+    The word “body” replaces the name of a body in a subscript: v_body stands for v_hoop, v_slab and the others.
+    A meaning is a phrase, Markdown with $…$.
 
     >>> from ramanujan.derivation import ROUTES
     >>> list(nomenclature(ROUTES["energy"]))[:4]
