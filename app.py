@@ -7,21 +7,23 @@ executes it as the main script.
 import streamlit as st
 
 if __name__ == "__main__":
-    from ramanujan.shell import address, display_mode, first_run, links, messages, navigation, sidebar
+    from ramanujan.pages.used_by_shell import ENTRIES
+    from ramanujan.shell import address, display_mode, first_run, menu, messages, sidebar
 
     # Set the app's icon first, because Streamlit would load a font from another server for a page's icon.
     st.set_page_config(page_icon="🚕")
     only_machine = first_run.begin()
-    page, script = navigation.navigate(hidden=only_machine)
-    problems = address.read_once(page.name, links.parameters_of(page))
+    page, script = menu.navigate(hidden=only_machine)
+    entry = ENTRIES[page.name]
+    problems = address.read_once(page.name, entry.all_url_parameters)
     display_mode.begin(page.name)
-    address.update(*links.EVERY_PAGE)
-    navigation.configure(page)
+    address.update(*menu.EVERY_PAGE)
+    menu.configure(page, entry.uses_sidebar())
     if display_mode.is_projector():
-        display_mode.pager()
+        display_mode.draw_pager()
     sidebar.begin(problems)
-    if not page.draw_header():
-        sidebar.draw(page.withheld_presets(), page.folded_parameters())
+    if not entry.draw_header():
+        sidebar.draw(entry.withheld_presets(), page.folded_parameters)
     try:
         script.run()
     finally:
@@ -31,8 +33,10 @@ if __name__ == "__main__":
             display_mode.draw_bar()
 else:
     try:
-        from ramanujan.shell import server
+        # The import of a page takes seconds, and a class opens every page within a minute.
+        from ramanujan.pages import used_by_shell
+        from ramanujan.server import asgi
     except LookupError as unknown_language:
         raise SystemExit(unknown_language) from None
 
-    app = st.App(__file__, **server.settings())
+    app = st.App(__file__, **asgi.settings(used_by_shell.warm_up))

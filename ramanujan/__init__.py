@@ -21,9 +21,9 @@ r"""Ramanujan's oscillator: a machine whose frequency is √(k/m) exactly when m
     M_x             effective mass k/Ω² [kg], the mass that the spring feels
     M, K            mass matrix, stiffness matrix
 
-The core is eight files of plain floating-point arithmetic. An `Oscillator` has four parameters: m, m′, k and R. An
-`InitialState` then determines the motion (q, q̇), which `motion` evaluates in closed form. Energies, momenta and contact
-forces are functions of the state (q, q̇). A record contains all of them as a table.
+The core, `physics`, is eight files of plain floating-point arithmetic. An `Oscillator` has four parameters: m, m′, k
+and R. An `InitialState` then determines the motion (q, q̇), which `motion` evaluates in closed form. Energies, momenta
+and contact forces are functions of the state (q, q̇). A record contains all of them at equal time steps.
 
     file           equations of the paper                                      results
     frequency      (8) Ω²m/k at ε = 1, (12) Ω², (13) inverse, (14) ε*          Ω²m/k over ε, ε for a given Ω²m/k
@@ -31,7 +31,7 @@ forces are functions of the state (q, q̇). A record contains all of them as a t
     motion         x = 2Rφ, (1) velocities, (11) and (12) integrated           q(t), q̇(t), motion of each body
     energy         (1) ½mv², ½Iω², ½kx²; (10a), (10b) momenta                  energies by body, p_X, p_Φ
     contact        none; forces that enforce rolling without slipping          forces, friction, first slip
-    record         none                                                        all of these on a time grid, CSV
+    record         none                                                        all of these on a time grid
     integrators    none                                                        step methods for x″ = a(x)
     validation     none                                                        checks of numbers and arrays
 
@@ -43,11 +43,12 @@ Example for a notebook:
     q, q_dot = motion(machine, released(machine, 0.08), [0, 0.5, 1])
 
 The other equations are steps of the package `derivation`; `.github/paper.md` lists all equations. `number_theory`
-explains 1729, `accuracy` measures errors and costs, `figures` and `browser` draw, `pages` has one folder for each page,
-and all pages share `shell`.
+explains 1729, `accuracy` measures errors and costs, `lesson` asks, `answers` judges, `classroom` counts the votes of a
+class, `figures` and `browser` draw, `pages` has one folder for each page, and all pages share `shell`. `standalone`
+writes the first page as one file, and `server` acts before a page runs. All use the language of `text`.
 """
 
-from ramanujan.contact import (
+from ramanujan.physics.contact import (
     contact_forces,
     first_to_slip,
     largest_compression,
@@ -55,10 +56,10 @@ from ramanujan.contact import (
     required_friction,
     travel_amplitude,
 )
-from ramanujan.energy import energies, momenta
-from ramanujan.frequency import UNIT_MASS_RATIO, mass_ratio_for, normalized_frequency_squared
-from ramanujan.integrators import METHODS, trajectory
-from ramanujan.motion import (
+from ramanujan.physics.energy import energies, momenta
+from ramanujan.physics.frequency import UNIT_MASS_RATIO, mass_ratio_for, normalized_frequency_squared
+from ramanujan.physics.integrators import METHODS, trajectory
+from ramanujan.physics.motion import (
     InitialState,
     ground_positions,
     ground_velocities,
@@ -68,4 +69,4 @@ from ramanujan.motion import (
     released,
     with_initial_velocities,
 )
-from ramanujan.oscillator import Oscillator, drawn_spacing
+from ramanujan.physics.oscillator import Oscillator, drawn_spacing

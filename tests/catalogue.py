@@ -13,12 +13,21 @@ from babel.messages.catalog import Catalog, Message
 from babel.messages.extract import extract_from_dir
 from babel.messages.pofile import read_po, write_po
 
-from ramanujan.catalogue import LOCALE, Fault, catalogue_file, languages, translations
+from ramanujan.text.catalogue import LOCALE, Fault, catalogue_file, languages, translations
 
-PACKAGE = LOCALE.parent
+PACKAGE = LOCALE.parent.parent
 KEYWORDS = {"_": None, "ngettext": (1, 2), "pgettext": ((1, "c"), 2)}
 OPTIONS = {"keywords": KEYWORDS, "comment_tags": ["TRANSLATORS:"], "strip_comment_tags": True}
-ORDER = ("translation", "numerals", "shell", "pages/oscillator", "browser", "figures/oscillator", "derivation", "pages")
+ORDER = (
+    "text/translation",
+    "text/numerals",
+    "shell",
+    "pages/oscillator",
+    "browser",
+    "figures/oscillator_page",
+    "derivation",
+    "pages",
+)
 """Prefixes of file names in the order of translation. The texts of the first page come first."""
 
 

@@ -1,7 +1,7 @@
 """Fixtures that all tests share: the app under AppTest, a running server, a Chromium.
 
 A test that uses a browser has the mark `browser`; `pytest -m "not browser"` leaves these tests out. Without its
-browser such a test is skipped, unless RAMANUJAN_REQUIRE_BROWSER is set, as it is in CI. Each worker starts one
+browser such a test is skipped, unless RAMANUJAN_REQUIRE is set, as it is in CI. Each worker starts one
 browser, and each test opens new contexts in it. Tests share no tabs, cookies or stored values. All workers
 of a run share one server and its caches.
 """
@@ -18,7 +18,7 @@ from hypothesis import settings
 from streamlit.components.v2 import manifest_scanner
 from streamlit.testing.v1 import AppTest
 
-from tests.browser import (
+from tests.checks.browser import (
     CHROMIUM,
     FLAGS,
     PAGES,
@@ -30,7 +30,8 @@ from tests.browser import (
     running,
     wait_for_start,
 )
-from tests.engines import bare, bare_address, browsers, engine, playwright, sample, skip_missing, window  # noqa: F401
+from tests.checks.engines import bare, bare_address, browsers, engine, playwright, sample, window  # noqa: F401
+from tests.settings import PATIENCE, REQUIRED, skip_missing
 
 # Store the tests' classes separately: the app on this computer stores at most 200.
 _CLASSES = TemporaryDirectory()
@@ -38,7 +39,7 @@ os.environ.setdefault("RAMANUJAN_CLASSES", f"{_CLASSES.name}/classes.sqlite")
 
 # CI uses the same cases in each run. Developers' runs search for new cases.
 settings.register_profile("ci", derandomize=True)
-if os.environ.get("RAMANUJAN_REQUIRE_BROWSER"):
+if REQUIRED:
     settings.load_profile("ci")
 
 
@@ -81,7 +82,7 @@ def pytest_runtest_makereport(item: pytest.Item) -> Iterator[None]:
 @pytest.fixture
 def app() -> AppTest:
     """The app before its first run."""
-    return AppTest.from_file(str(ROOT / "app.py"), default_timeout=60)
+    return AppTest.from_file(str(ROOT / "app.py"), default_timeout=PATIENCE)
 
 
 _APP = pytest.StashKey[running]()
@@ -156,7 +157,7 @@ def visit(request: pytest.FixtureRequest, chromium: object, server: str) -> Iter
         size = {"width": width, "height": height}
         if not (tab or within or beside):
             contexts.append(chromium.new_context(viewport=size, **({"bypass_csp": True} | options)))
-            contexts[-1].set_default_timeout(60_000)
+            contexts[-1].set_default_timeout(1000 * PATIENCE)
             contexts[-1].on("weberror", lambda error: errors.append(str(error.error)))
         page = tab or within or (beside.context if beside else contexts[-1]).new_page()
         if page not in pages:

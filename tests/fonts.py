@@ -1,4 +1,4 @@
-"""Cut the fonts of the app, `ramanujan/browser/components/fonts/`, out of Streamlit's.
+"""Cut the fonts of the app, `ramanujan/browser/fonts/`, out of Streamlit's.
 
 The result contains Latin, Greek, signs and two weights.
 
@@ -32,11 +32,11 @@ from fontTools.ttLib.tables.TupleVariation import TupleVariation
 from fontTools.varLib import instancer
 from fontTools.varLib.hvar import add_HVAR
 
-from ramanujan.catalogue import COMPLETE
-from tests.browser import ROOT
+from ramanujan.text.catalogue import COMPLETE
+from tests.checks.browser import ROOT
 
-STANDALONE = ROOT / "ramanujan/browser/standalone"
-PAGE = ROOT / "ramanujan/browser/components"
+STANDALONE = ROOT / "ramanujan/standalone"
+PAGE = ROOT / "ramanujan/browser"
 ORIGINALS = Path(streamlit.__file__).parent / "static" / "static" / "media"
 FONTS = {
     "headings": ("SourceSerifVariable-Roman", "Bold", {"wght": (600, 700), "opsz": 24}),
@@ -111,9 +111,11 @@ def cut_for_standalone(name: str) -> TTFont:
 @cache
 def standalone(language: str) -> str:
     """Return the standalone file in a language, without its fonts."""
-    command = [sys.executable, "-m", "ramanujan.browser.standalone", "--language", language]
+    command = [sys.executable, "-m", "ramanujan.standalone", "--language", language]
     file = subprocess.run(command, cwd=ROOT, capture_output=True, encoding="utf-8", check=True).stdout
-    return re.sub(r"base64,[^)]*", "", html.unescape(file))
+    text = html.unescape(re.sub(r"base64,[^)]*", "", file))
+    # The escapes of scripts and of style sheets.
+    return re.sub(r"\\u?([0-9a-f]{4})", lambda escape: chr(int(escape[1], 16)), text)
 
 
 def icons() -> TTFont:

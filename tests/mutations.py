@@ -12,7 +12,7 @@ import tempfile
 from dataclasses import dataclass
 from pathlib import Path
 
-from tests.browser import ROOT
+from tests.checks.browser import ROOT
 
 _COPIED = ("app.py", "ramanujan", "tests", ".streamlit", ".pytest.ini")
 DRAWN = "all_that_is_drawn"
@@ -32,7 +32,7 @@ class Mutation:
     tests: str = DRAWN
 
 
-_SPIN = "rotate(${(FORMULAS.angle[name](values) * 360) / TURN})"
+_SPIN = "(FORMULAS.angle[name](values) * 360) / TURN"
 _ARROW_LENGTH = "const length = velocity(name, known)"
 MUTATIONS = [
     Mutation("every roller turns backwards", "stage/drawing.js", _SPIN, _SPIN.replace("(FORM", "(-FORM")),
@@ -91,8 +91,8 @@ MUTATIONS = [
     Mutation(
         "forces point the wrong way",
         "stage/layers.js",
-        "forceArrow(x, y, newtons * scale",
-        "forceArrow(x, y, -newtons * scale",
+        "length = newtons * unitLengths.force",
+        "length = -newtons * unitLengths.force",
         LAYERS,
     ),
     Mutation(
@@ -104,10 +104,18 @@ MUTATIONS = [
     ),
     Mutation("the plain mass's hand is frozen", "stage/dial.js", "rotate(${degrees(plainPhase)})", "rotate(0)"),
     Mutation(
-        "the gauge stays at 1",
+        "the arrow of the drift points the other way",
         "stage/dial.js",
-        "translate(${gaugeX(Math.min(solution.normalized, limit))} ",
-        "translate(${gaugeX(1)} ",
+        "turns < 0 ? -1 : 1",
+        "turns < 0 ? 1 : -1",
+        "in_step",
+    ),
+    Mutation(
+        "a change of the machine moves a hand",
+        "stage/playback.js",
+        "Object.assign(this, machine);",
+        "Object.assign(this, machine, { plainPhase: this.phase });",
+        "goes_on",
     ),
     Mutation(
         "in step when it is not",
@@ -130,7 +138,7 @@ MUTATIONS = [
         "-place.R * Math.sin(angle)} ${-(y",
         LAYERS,
     ),
-    Mutation("a layer is dead", "stage/layers.js", 'if (shown.has("forces"))', "if (false)", LAYERS),
+    Mutation("a layer is dead", "stage/layers.js", 'if (shown.has("forces") || data.forces)', "if (false)", LAYERS),
     Mutation(
         "the speed menu is dead",
         "stage/toolbar.js",
@@ -177,13 +185,13 @@ MUTATIONS = [
     Mutation(
         "the wrong body is lit",
         "stage/terms.js",
-        "=== bodies.get(body)",
-        '=== bodies.get("hoop")',
+        "touching.includes(name)",
+        'touching.includes("hoop")',
         "body_has_its_ink",
     ),
     Mutation(
         "a class counts as present who left three minutes ago",
-        "../lesson/classes.py",
+        "../classroom/rules.py",
         "PRESENCE_DURATION = 20.0",
         "PRESENCE_DURATION = 200.0",
         "recent_request",

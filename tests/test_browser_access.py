@@ -11,21 +11,28 @@ from itertools import pairwise
 
 import pytest
 
-from ramanujan.shell.navigation import PAGES
-from tests.browser import script, settle, traffic, until
-from tests.engines import REFUSED
-from tests.test_browser_grid import CUT_LABELS, MOST_SHIFT, SHIFTS, check_calm, check_widths, shift
-from tests.test_browser_language import ADDRESSES, OVERLAPS
-from tests.test_browser_print import SHEETS, check_printed
-from tests.test_look import THEME, rgb
+from ramanujan.shell.menu import PAGES
+from tests.checks.bare import THEME
+from tests.checks.browser import script, settle, traffic, until
+from tests.checks.engines import REFUSED
+from tests.checks.layout import (
+    ADDRESSES,
+    CUT_LABELS,
+    MOST_SHIFT,
+    OPEN,
+    OVERLAPS,
+    SHIFTS,
+    check_calm,
+    check_widths,
+    shift,
+)
+from tests.checks.look import RING, rgb, switch
+from tests.checks.paper import SHEETS, check_printed
 
 OF_STREAMLIT = r"/Source(Sans|Serif)\w*-(Upright|Roman)"
 """Addresses of Streamlit's text fonts, which a browser loads for characters that the app's fonts lack."""
 AXE = files("axe_playwright_python").joinpath("axe.min.js")
 TAGS = ["wcag2a", "wcag2aa", "wcag21a", "wcag21aa", "wcag22aa", "best-practice"]
-OPEN = """() => {
-  for (const each of document.querySelectorAll("details:not([open]) > summary")) each.click();
-}"""
 OF_THE_SCREEN = ["color-contrast", "link-in-text-block", "scrollable-region-focusable", "target-size"]
 """The rules that depend on the theme or on the width."""
 VIOLATIONS = """([within, rules]) => axe.run({ include: within, exclude: ".katex-html" },
@@ -55,20 +62,7 @@ FACES = """() => [...document.querySelectorAll(".js-plotly-plot text")].filter((
   .map((each) => getComputedStyle(each).fontFamily)"""
 LOADED = """() => [...document.fonts].filter((each) => each.status === "loaded" && /Source Sans/.test(each.family))
   .map((each) => each.style)"""
-FILES = ", ".join(f":is(button, a):visible:has-text('{name}')" for name in ("SVG", "PNG", "CSV", "Download"))
-
-
-def switch(page, theme: str) -> None:
-    """Switch the theme, and wait for the colours from the server."""
-    page.emulate_media(color_scheme=theme, reduced_motion="reduce")
-    paper = THEME[theme]["backgroundColor"]
-    until(
-        page,
-        """([theme, paper]) => document.documentElement.dataset.theme === theme &&
-          getComputedStyle(document.documentElement).getPropertyValue('--paper') === paper""",
-        [theme, paper],
-        120,  # Plotly measures each word of five figures in both themes and at both widths
-    )
+FILES = ", ".join(f":is(button, a):visible:has-text('{name}')" for name in ("Save picture", "CSV", "Download"))
 
 
 def audit(page, rules: list[str] = TAGS, within: str = "html") -> list[str]:
@@ -144,14 +138,6 @@ FOCUSED = (
     ".stTextInput input",
     "[data-testid=stFormSubmitButton] button",
 )
-RING = """(node) => {
-  node.focus({ focusVisible: true });
-  const styles = [node, node.parentElement].map((each) => getComputedStyle(each));
-  const ring = styles.find((each) => each.outlineStyle === "solid");
-  const seen = ring ? [parseFloat(ring.outlineWidth), ring.outlineColor] : null;
-  node.blur();
-  return seen;
-}"""
 
 
 def check_focus(page, theme: str, focused: tuple[str, ...]) -> None:
@@ -164,7 +150,7 @@ def check_focus(page, theme: str, focused: tuple[str, ...]) -> None:
 @pytest.mark.parametrize("name", PAGES)
 def test_everyone_can_use_and_read_a_page(visit, server, name):
     requested: list[str] = []
-    page = visit(PAGES[name].address, REFUSED, SHIFTS, note=requested.append, bypass_csp=False, theme="dark")
+    page = visit(PAGES[name].path, REFUSED, SHIFTS, note=requested.append, bypass_csp=False, theme="dark")
     check_requests(requested, server)
     check_calm(page, name)
     check_widths(page)

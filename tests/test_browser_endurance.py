@@ -1,23 +1,22 @@
 """A page that is open for a whole lesson: neither its memory nor its listeners grow.
 
-RAMANUJAN_MINUTES sets the running time of the stage (60 for a thorough run). RAMANUJAN_ROUNDS sets the number of
-rounds through all pages with a stage (50 for a thorough run).
+With RAMANUJAN_DEEP, the stage runs for an hour of its clock, and the tab makes fifty rounds through all pages.
 """
 
 import itertools
-import os
 from collections import Counter
 from collections.abc import Callable
 
 import pytest
 
 from ramanujan import Oscillator
-from tests.browser import next_frame, settle
-from tests.picture import Picture
-from tests.test_browser_access import switch
+from tests.checks.browser import next_frame, settle
+from tests.checks.look import switch
+from tests.checks.picture import Picture
+from tests.settings import DEEP
 
-MINUTES = float(os.environ.get("RAMANUJAN_MINUTES", "0.3"))
-ROUNDS = int(os.environ.get("RAMANUJAN_ROUNDS", "1"))
+MINUTES = 60 if DEEP else 0.3
+ROUNDS = 50 if DEEP else 1
 PLACES = (*range(1, 5), 0) if ROUNDS > 1 else (2, 0)
 """The tested pages: all pages with a stage, or the two with marks in their figures."""
 KEYS = ("ArrowRight", "ArrowLeft")

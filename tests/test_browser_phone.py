@@ -6,7 +6,7 @@ from itertools import pairwise
 import pytest
 from playwright.sync_api import Page, expect
 
-from tests.browser import ROOT, next_frame, running, settle
+from tests.checks.browser import ROOT, go, inside, next_frame, running, settle
 
 SIZES = ((667, 375), (844, 390))
 """Height and width of a small and of a common phone."""
@@ -70,12 +70,12 @@ class Phone:
 
 
 def check_arrival(phone: Phone) -> None:
-    """Check that question, button, slider, machine and clock are visible together, also on a small phone."""
-    places = (".st-key-story button", ".st-key-m_prime", ".st-key-stage svg.machine", ".st-key-stage svg.dial")
+    """Check that question, button, machine, slider and clock are visible together, also on a small phone."""
+    places = (".st-key-story button", ".st-key-stage svg.machine", ".st-key-m_prime", ".st-key-stage svg.dial")
     story = phone.page.locator(places[0])
 
     def check_visible() -> None:
-        expect(phone.page.get_by_text("Two machines, one spring")).to_be_in_viewport(ratio=1)
+        expect(phone.page.get_by_text("the machine’s hand gains one full turn")).to_be_in_viewport(ratio=1)
         boxes = [phone.box(each) for each in places]
         assert all(a["y"] + a["height"] <= b["y"] + 1 for a, b in pairwise(boxes))
         assert boxes[-1]["y"] + boxes[-1]["height"] <= phone.page.viewport_size["height"]
@@ -94,6 +94,12 @@ def check_arrival(phone: Phone) -> None:
     phone.page.emulate_media(reduced_motion="reduce")
     phone.page.set_viewport_size({"width": 390, "height": 844})
     settle(phone.page)
+    # On a common phone the machine is as large as the width allows, and its controls are in view, too.
+    controls = phone.box(".st-key-stage .controls")
+    assert controls["y"] + controls["height"] <= 844
+    # The unit of the picture is 1 cm, and a roller has a diameter of 20 cm.
+    assert 20 * inside(phone.page, "root.querySelector('svg.machine').getScreenCTM().a") >= 52
+    assert phone.box(".st-key-m_prime")["width"] >= 350
 
 
 def check_drawer(phone: Phone) -> None:
@@ -136,30 +142,24 @@ def check_return(phone: Phone) -> None:
 
 
 def check_stop(phone: Phone) -> None:
-    """Check that machine, clock and slider of a stop are visible together during a drag."""
-    for name in ("Ahead by less than one full turn.", "Run the machine"):
-        phone.page.get_by_role("button", name=name).tap()
-        settle(phone.page)
-    handle, parting = phone.page.locator(".st-key-handle button"), phone.page.locator(".parting")
-    phone.handle()
-    expect(handle).to_have_attribute("aria-expanded", "true")
+    """Check that machine, clock and slider of a stop are visible together during a drag, without a drawer."""
+    go(phone.page, "lesson?stop=by-hand&chosen=by-hand.quarter")
+    parting = phone.page.locator(".parting")
+    expect(phone.page.locator(".st-key-handle")).not_to_be_in_viewport()
 
     def check_visible() -> None:
-        places = ("svg.machine", "svg.dial", "[data-testid=stSidebar]", ".st-key-m_prime .stSlider")
-        machine, dial, drawer, slider = map(phone.box, places)
+        machine, dial, slider = map(phone.box, ("svg.machine", "svg.dial", ".st-key-stop_slider"))
         assert machine["y"] >= 48
         assert machine["y"] + machine["height"] <= dial["y"]
-        assert dial["y"] + dial["height"] <= drawer["y"] < slider["y"]
+        assert dial["y"] + dial["height"] <= slider["y"]
         assert slider["y"] + slider["height"] <= phone.page.viewport_size["height"]
         assert parting.inner_text() != before
-        for control in phone.page.locator(".controls > *").all():
-            box = control.bounding_box()
-            assert not box or box["y"] + box["height"] <= drawer["y"], control
 
     for height, width in SIZES:
-        phone.handle()
         phone.page.set_viewport_size({"width": width, "height": height})
-        phone.handle()
+        next_frame(phone.page)
+        top = phone.box("svg.machine")["y"] - 60
+        phone.page.evaluate(f"document.querySelector('[data-testid=stMain]').scrollBy(0, {top})")
         before = parting.inner_text()
         phone.swipe(phone.box(THUMB), 30, 2, meanwhile=check_visible)
 

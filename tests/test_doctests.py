@@ -9,7 +9,7 @@ import pytest
 
 import ramanujan
 
-PAGES = ("ramanujan.pages", "ramanujan.shell")
+PAGES = ("ramanujan.pages", "ramanujan.shell", "ramanujan.server")
 """Pages, which run when they are imported."""
 _FOUND = [module.name for module in pkgutil.walk_packages(ramanujan.__path__, "ramanujan.")]
 MODULES = ["ramanujan", *(name for name in _FOUND if not name.startswith(PAGES))]

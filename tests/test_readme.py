@@ -11,8 +11,8 @@ from pathlib import Path
 import pytest
 
 from ramanujan import lesson
-from ramanujan.translation import language_ids
-from tests.browser import ROOT
+from ramanujan.text.translation import language_ids
+from tests.checks.browser import ROOT
 
 README = (ROOT / "README.md").read_text(encoding="utf-8")
 
@@ -89,3 +89,11 @@ def test_an_unknown_language_stops_the_start_with_one_sentence():
     assert result.stderr.endswith(f"RAMANUJAN_LANGUAGE must be one of {', '.join(language_ids())}. It is tlh.\n")
     assert "Traceback" not in result.stderr
     assert result.returncode == 1
+
+
+@pytest.mark.parametrize("languages", ["en", "en:/,tlh:/tlh/"])
+def test_a_wrong_list_of_languages_is_named_at_the_import(languages):
+    command = (sys.executable, "-c", "import ramanujan.text.translation")
+    wrong = os.environ | {"RAMANUJAN_LANGUAGES": languages}
+    result = subprocess.run(command, cwd=ROOT, env=wrong, capture_output=True, text=True, timeout=60, check=False)
+    assert result.stderr.endswith(f"RAMANUJAN_LANGUAGES must be a list such as en:/,hu:/hu/. It is {languages}.\n")

@@ -1,25 +1,21 @@
-"""The imports of the rooms against the table in CONTRIBUTING.md, and the modules that the first page loads."""
+"""The imports of the rooms against `.importlinter` and the table in CONTRIBUTING.md, and the guide's names."""
 
 import ast
-import asyncio
-import gc
 import re
 import subprocess
 import sys
-from concurrent.futures import ThreadPoolExecutor
+from pathlib import Path
 
 import grimp
 import pytest
+from importlinter.api import read_configuration
 
-import ramanujan.pages
-from ramanujan.shell import navigation, server
-from tests.browser import ROOT
+from ramanujan.pages.used_by_shell import ENTRIES
+from ramanujan.shell import menu
+from tests.checks.browser import ROOT
 from tests.mutations import MUTATIONS
 
 pytestmark = pytest.mark.xdist_group("rooms")
-LANGUAGE = {"catalogue", "translation", "numerals"}
-"""Rooms that every room may import."""
-
 
 GUIDE = (ROOT / ".github" / "CONTRIBUTING.md").read_text(encoding="utf-8")
 
@@ -45,23 +41,25 @@ def test_every_mutation_changes_its_file():
         assert text.count(mutation.old) == 1, f"{mutation.name}: update the text in tests/mutations.py."
 
 
-def import_table() -> dict[str, tuple[set[str], set[str]]]:
-    """Return room → rooms from which it may import, besides those of `LANGUAGE`; third-party packages."""
-    rows = GUIDE.partition("| room |")[2].partition("\n\n")[0].splitlines()[2:]
-    table = {}
-    for row in rows:
-        names, inside, outside = row.split("|")[1:4]
-        allowed = set(re.findall(r"\w+", inside)), set(re.findall(r"\w+", outside))
-        for room in re.findall(r"\w+", names.partition("(")[0]):
-            table[room] = allowed
-    return table
+def read_floors() -> list[set[str]]:
+    """Return the rooms on each floor in `.importlinter`, from the top."""
+    contracts = read_configuration(str(ROOT / ".importlinter"))["contracts_options"]
+    (layers,) = (contract["layers"] for contract in contracts if contract["id"] == "rooms")
+    return [set(re.findall(r"\w+", layer)) for layer in layers]
 
 
-ROOMS = import_table()
+def read_table() -> list[tuple[int, str, set[str]]]:
+    """Return floor, room and third-party packages of each row in the guide."""
+    rows = GUIDE.partition("| floor |")[2].partition("\n\n")[0].splitlines()[2:]
+    cells = [row.split("|")[1:4] for row in rows]
+    return [(int(floor), room.strip(), set(re.findall(r"\w+", packages))) for floor, room, packages in cells]
+
+
+TABLE = read_table()
 
 OTHER_PAGES = (
     "accuracy",
-    "record",
+    "physics.record",
     "lesson",
     "answers",
     "derivation.export",
@@ -76,27 +74,38 @@ def graph() -> grimp.ImportGraph:
 
 
 def room_of(module: str) -> str:
-    """Return the room of a module. The standalone file is in the browser's folder but counts as a page."""
-    if module.startswith("ramanujan.browser.standalone"):
-        return "standalone"
+    """Return the room of a module."""
     return module.split(".")[1] if "." in module else ""
 
 
-@pytest.mark.parametrize("room", sorted(ROOMS.keys() - {"pages", "shell", "standalone"}))
-def test_a_room_imports_only_what_its_row_allows(graph, room):
-    rooms, packages = ROOMS[room]
+def test_imports_go_down():
+    command = [Path(sys.executable).with_name("lint-imports"), "--no-cache", "--no-logo"]
+    report = subprocess.run(command, cwd=ROOT, capture_output=True, text=True, timeout=120)
+    assert report.returncode == 0, report.stdout[-5000:] + report.stderr[-2000:]
+
+
+def test_no_test_file_imports_from_another():
+    """What several test files share is in `tests/checks`."""
+    graph = grimp.build_graph("tests")
+    tests = {module for module in graph.modules if module.rpartition(".")[2].startswith("test_")}
+    assert tests
+    assert {module: graph.find_modules_that_directly_import(module) for module in tests} == {
+        module: set() for module in tests
+    }
+
+
+def test_the_guide_has_the_floors_of_the_contract():
+    floors = read_floors()
+    assert [floor for floor, _room, _packages in TABLE] == sorted((row[0] for row in TABLE), reverse=True)
+    assert [{room for floor, room, _packages in TABLE if floor == n} for n in range(len(floors), 0, -1)] == floors
+
+
+@pytest.mark.parametrize(("_floor", "room", "packages"), TABLE)
+def test_a_room_imports_only_the_packages_in_its_row(graph, _floor, room, packages):
     modules = {module for module in graph.modules if room_of(module) == room}
     assert modules
     imported = {target for module in modules for target in graph.find_modules_directly_imported_by(module)}
-    inside = {room_of(target) for target in imported if target.startswith("ramanujan.")}
-    outside = {target for target in imported if not target.startswith("ramanujan")}
-    assert inside - {room} - LANGUAGE <= rooms
-    assert outside - EVERYONE <= packages
-
-
-def test_every_room_has_its_row(graph):
-    rooms = {room_of(module) for module in graph.modules if module.startswith("ramanujan.")}
-    assert rooms == set(ROOMS)
+    assert {target for target in imported if not target.startswith("ramanujan")} - EVERYONE <= packages
 
 
 def test_the_names_of_a_notebook_come_from_the_package_itself():
@@ -107,58 +116,17 @@ for room in {OTHER_PAGES!r}:
     assert f"ramanujan.{{room}}" not in sys.modules, room
 # The name is the function, although a module of the same name was loaded before.
 from ramanujan import motion as again
-assert again is motion is sys.modules["ramanujan.motion"].motion
+assert again is motion is sys.modules["ramanujan.physics.motion"].motion
 """
     done = subprocess.run([sys.executable, "-c", script], cwd=ROOT, capture_output=True, text=True, timeout=120)
     assert done.returncode == 0, done.stderr[-2000:]
 
 
-def test_the_first_page_loads_nothing_that_only_other_pages_need():
-    script = f"""
-import sys
-from streamlit.testing.v1 import AppTest
-app = AppTest.from_file({str(ROOT / "app.py")!r}, default_timeout=60).run()
-assert not app.exception and app.title
-for room in {OTHER_PAGES!r}:
-    assert f"ramanujan.{{room}}" not in sys.modules, room
-# Negative control: the modules that the first page needs are loaded.
-assert "ramanujan.browser.stage" in sys.modules and "plotly" in sys.modules
-"""
-    done = subprocess.run([sys.executable, "-c", script], cwd=ROOT, capture_output=True, text=True, timeout=120)
-    assert done.returncode == 0, done.stderr[-2000:]
+def test_every_page_has_an_entry():
+    assert ENTRIES.keys() == menu.PAGES.keys()
 
 
-def test_every_listed_page_is_warmed_up(tmp_path, monkeypatch):
-    (tmp_path / "another").mkdir()
-    (tmp_path / "another" / "page.py").write_text("warm = []\n\n\ndef warm_up():\n    warm.append(True)\n")
-    monkeypatch.setattr(ramanujan.pages, "__path__", [*ramanujan.pages.__path__, str(tmp_path)])
-    monkeypatch.setitem(navigation.PAGES, "another", navigation.Page("another", "Another", "waves", "another"))
-    monkeypatch.setattr(gc, "freeze", lambda: None)
-
-    async def start() -> None:
-        async with server.lifespan(None):
-            pass
-
-    # Playwright's own loop runs in the thread of the tests.
-    with ThreadPoolExecutor(1) as own:
-        own.submit(asyncio.run, start()).result()
-    assert sys.modules["ramanujan.pages.another.page"].warm == [True]
-
-
-def test_pages_import_no_other_page(graph):
-    """The shell uses a list of pages. Code shared by two pages is in shell/sections."""
-    wrong = []
-    for module in graph.modules:
-        room, _, page = module.removeprefix("ramanujan.").partition(".")
-        for target in graph.find_modules_directly_imported_by(module):
-            target_page = target.removeprefix("ramanujan.pages.").partition(".")[0]
-            is_own = room == "pages" and page.partition(".")[0] == target_page
-            if room in ("pages", "shell") and target.startswith("ramanujan.pages.") and not is_own:
-                wrong.append((module, target))
-    assert wrong == []
-
-
-@pytest.mark.parametrize("script", ["app.py", *(page.file for page in navigation.PAGES.values())])
+@pytest.mark.parametrize("script", ["app.py", *(page.file for page in menu.PAGES.values())])
 def test_no_script_has_an_expression_that_streamlit_draws(script):
     """Streamlit's magic writes bare expressions to the page, except docstrings, calls, yields and awaits."""
     tree = ast.parse((ROOT / script).read_text(encoding="utf-8"))

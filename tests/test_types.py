@@ -3,7 +3,7 @@
 import subprocess
 import sys
 
-from tests.browser import ROOT
+from tests.checks.browser import ROOT
 
 
 def test_mypy_finds_no_error():

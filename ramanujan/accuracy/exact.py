@@ -1,7 +1,7 @@
 """Exact arithmetic: Ω² from integers or fractions, and the phase Ωt without its whole turns.
 
-`ramanujan.oscillator` and `ramanujan.motion` use plain floating-point arithmetic instead. The experiments in
-`extremes`, `phase` and `choices` compare the two in accuracy and cost.
+`physics.oscillator` and `physics.motion` use plain floating-point arithmetic instead. The experiments in
+`extremes`, `phase` and `arithmetics` compare the two in accuracy and cost.
 """
 
 from __future__ import annotations
@@ -14,8 +14,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ramanujan.accuracy.measurement import REFERENCE
-from ramanujan.oscillator import Oscillator
-from ramanujan.validation import FloatOrArray
+from ramanujan.physics.oscillator import Oscillator
+from ramanujan.physics.validation import FloatOrArray
 
 AnyNumber = TypeVar("AnyNumber", Fraction, float, NDArray[np.floating])
 """The type of a number in exact or in floating-point arithmetic. The numbers of mpmath have no type annotations."""
@@ -122,8 +122,8 @@ def reduced_phase(turns: tuple[float, float], times: FloatOrArray) -> FloatOrArr
 
     Returns
     -------
-    the phase [rad] : with an error of at most 1e-15 rad for up to 1e15 periods; between −π and π, but after so many
-        periods up to a fifth of a turn beyond
+    the phase [rad] : with an error of at most 1e-15 rad for up to 1e15 periods. It is between −π and π after few
+        periods, and up to a fifth of a turn beyond after 1e15 periods.
 
     Source: T. J. Dekker, Numer. Math. 18 (1971) 224, for the exact product.
 

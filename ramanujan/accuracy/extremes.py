@@ -1,10 +1,9 @@
 """Rounding errors of algebraically equal formulas for Ω², with very large and very small parameters.
 
-Errors are in ulp, units in the last place of the exact value. Three sweeps cover the range of floating-point numbers:
+Errors are in ulp, units in the last place of the exact value. Two sweeps cover the range of floating-point numbers:
 
     ratio       m = k = 1 and m′ = ε, for ε from very small to very large
     scale       m = m′ = k = s, for s from very small to very large; Ω² = 104/99 for every s
-    machines    random m, m′ and k of very different magnitude
 
 The reference value is computed with 50 digits from the same floats.
 """
@@ -20,8 +19,8 @@ from numpy.typing import NDArray
 
 from ramanujan.accuracy.exact import exact_frequency_squared, frequency_squared, frequency_squared_by_integers
 from ramanujan.accuracy.measurement import REFERENCE
-from ramanujan.frequency import effective_mass_ratio
-from ramanujan.translation import _
+from ramanujan.physics.frequency import effective_mass_ratio
+from ramanujan.text.translation import _
 
 RIGHT, INACCURATE, OVERFLOW, ZERO, WRONG = "right", "inaccurate", "overflow", "zero", "wrong"
 """The verdicts on a value.
@@ -42,10 +41,7 @@ WRONG_ERROR = 1e-2
 DECADES = {"float32": 37, "float64": 300}
 """dtype → d: the sweeps extend from 10^−d to 10^d, so that m′ = ε and Ω² are normal numbers."""
 
-MACHINE_COUNT = 1000
-"""Number of random machines, before those with m′/m, k/m or Ω² beyond the range of the sweeps are excluded."""
-
-SWEEP_NAMES = ("ratio", "scale", "machines")
+SWEEP_NAMES = ("ratio", "scale")
 """Names of the sweeps."""
 
 FloatArray = NDArray[np.floating]
@@ -78,7 +74,7 @@ class Sweep:
     form : name in FORMS
     dtype : "float32" or "float64"
     sweep_name : one of SWEEP_NAMES
-    x : ε, s, or the number of the machine
+    x : ε or s
     value : computed Ω²
     error_ulp : |value − truth| in ulp of the truth; NaN or ∞ if the value is NaN or infinite
     verdict : RIGHT, INACCURATE, OVERFLOW, ZERO or WRONG
@@ -196,24 +192,9 @@ def _evaluate_forms(sweep_name: str, dtype: str) -> Iterator[Sweep]:
 
 def _generate_samples(sweep_name: str, dtype: str) -> tuple[FloatArray, FloatArray, FloatArray, FloatArray]:
     """Return the samples of a sweep: x, m, m′ and k."""
-    if sweep_name == "machines":
-        m, m_prime, k = _draw_machines(dtype)
-        return np.arange(m.size, dtype=dtype), m, m_prime, k
     x = powers_of_ten(dtype, density=3)
     one = np.ones_like(x)
     return (x, one, x, one) if sweep_name == "ratio" else (x, x, x, x)
-
-
-def _draw_machines(dtype: str) -> FloatArray:
-    """Return random m, m′ and k, shape (3, machines), whose m′/m, k/m and Ω² are within the range of the sweeps."""
-    decades = DECADES[dtype]
-    exponents = np.random.default_rng(1729).uniform(-decades, decades, (3, MACHINE_COUNT))
-    log_m, log_m_prime, log_k = exponents
-    # Ω² is of the order of k/max(m, m′).
-    is_within = np.abs(log_k - np.maximum(log_m, log_m_prime)) < decades - 1
-    is_within &= np.abs(log_m_prime - log_m) < decades
-    is_within &= np.abs(log_k - log_m) < decades
-    return (10.0 ** exponents[:, is_within]).astype(dtype)
 
 
 def powers_of_ten(dtype: str, density: int) -> np.ndarray:

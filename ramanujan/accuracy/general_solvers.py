@@ -13,8 +13,8 @@ from numpy.typing import NDArray
 
 from ramanujan.accuracy.exact import exact_frequency_squared
 from ramanujan.accuracy.extremes import DECADES, powers_of_ten, ulp_errors
-from ramanujan.oscillator import Oscillator
-from ramanujan.translation import _
+from ramanujan.physics.oscillator import Oscillator
+from ramanujan.text.translation import _
 
 Eigenvalues = Callable[[NDArray[np.floating], NDArray[np.floating]], NDArray[np.number]]
 

@@ -3,15 +3,14 @@
 from __future__ import annotations
 
 import math
+import statistics
 import time
 from collections.abc import Callable
-from dataclasses import dataclass
 
 import mpmath
-import numpy as np
 
 _BATCHES = 7
-"""Number of timed batches of calls, from which the median and the quartiles are computed."""
+"""Number of timed batches of calls, from which the median is computed."""
 
 _SHORTEST_BATCH = 1e-3
 """Least duration of a batch [s], so that the resolution of the clock does not matter."""
@@ -21,27 +20,14 @@ REFERENCE = mpmath.MPContext()
 REFERENCE.dps = 50
 
 
-@dataclass(frozen=True)
-class Timing:
-    """Seconds per call: median, lower quartile `low` and upper quartile `high` of several batches."""
-
-    median: float
-    low: float
-    high: float
-
-
-def measure(call: Callable[[], object]) -> Timing:
-    """Return the duration of a call and its spread.
+def measure(call: Callable[[], object]) -> float:
+    """Return the median duration of a call [s].
 
     Parameters
     ----------
     call : a function without parameters; it is called many times
 
-    Returns
-    -------
-    median and quartiles [s]
-
-    >>> measure(lambda: sum(range(100))).median > 0
+    >>> measure(lambda: sum(range(100))) > 0
     True
     """
     # Enlarge the batch until it is long enough.
@@ -50,9 +36,7 @@ def measure(call: Callable[[], object]) -> Timing:
     while seconds < _SHORTEST_BATCH:
         calls = max(2 * calls, math.ceil(calls * _SHORTEST_BATCH / max(seconds, 1e-7)))
         seconds = _time_batch(call, calls)
-    per_call = [_time_batch(call, calls) / calls for _repeat in range(_BATCHES)]
-    low, median, high = (float(value) for value in np.percentile(per_call, [25, 50, 75]))
-    return Timing(median, low, high)
+    return statistics.median(_time_batch(call, calls) / calls for _repeat in range(_BATCHES))
 
 
 def _time_batch(call: Callable[[], object], calls: int) -> float:

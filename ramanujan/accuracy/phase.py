@@ -14,8 +14,8 @@ from numpy.typing import NDArray
 
 from ramanujan.accuracy.exact import exact_frequency_squared, reduced_phase, turns_per_second
 from ramanujan.accuracy.measurement import REFERENCE
-from ramanujan.motion import InitialState, motion
-from ramanujan.oscillator import Oscillator
+from ramanujan.physics.motion import InitialState, motion
+from ramanujan.physics.oscillator import Oscillator
 
 LARGEST_DECADE = 15
 """Largest power of ten of the periods. Beyond it, neighbouring doubles t differ by more than a quarter of a period."""

@@ -1,89 +1,110 @@
-"""Differences between a wrong answer and the right one, for answers that no typical mistake explains.
+"""The difference between a wrong answer and the right one: a factor, one term, or a letter.
 
-A simple difference of the whole formula is reported first, differences of single terms otherwise.
+Every sentence states an exact result. If more than one term differs, there is no sentence.
 """
 
 from collections.abc import Iterator
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 
 import sympy as sp
+from sympy.polys.fields import FracElement
 
-from ramanujan.answers import terms
-from ramanujan.answers.formulas import leaves, replace_letters
-from ramanujan.answers.questions import EQUATION, NUMBER, POLYNOMIAL, Question, find_question
+from ramanujan.answers.questions import EQUATION, NUMBER, POLYNOMIAL, Question
 from ramanujan.answers.spelling import MOTION, SYMBOLS
-from ramanujan.answers.terms import Comparison, TermDifference
-from ramanujan.answers.values import (
-    POINTS,
-    PreciseNumber,
-    Values,
-    agree,
-    depends_on,
-    evaluate,
-    find_decimals,
-    find_rational_ratio,
-    make_point,
-)
-from ramanujan.numerals import number as format_number
-from ramanujan.translation import _
+from ramanujan.answers.terms import FIELD, NAMES, collect_coefficients, find_names
+from ramanujan.answers.typed_formulas import leaves
+from ramanujan.answers.values import Formula, depends_on, find_rational_ratio
+from ramanujan.text.numerals import superscript
+from ramanujan.text.translation import _
+
+_SHOWN = {"eps": "ε", "Phi": "Φ", "phi": "φ", "''": "″", "'": "′"}
+# TRANSLATORS: they stand for {times} in a sentence such as: Your answer is {times} the right one.
+_WORDS = {"2": _("twice"), "3": _("three times"), "4": _("four times"), "1/2": _("half of")}
 
 
 @dataclass(frozen=True)
 class Difference:
-    """Sentences about how an answer differs from the right one.
+    """A sentence about the difference between an answer and the right one.
 
     Parameters
     ----------
-    sentences : the result of the comparison
-    term : the only term that differs, a product of names as shown; empty for the constant term, None for several terms
-    is_slip : whether a slip of the pen explains the difference: a sign, a factor, a missing term or letter
-    is_complete : whether the sentences explain everything that is wrong, including a wrong unit
-    next_question : replaces the next question of the term or of the whole question, if not empty
+    sentence : the sentence
+    term : the only term that differs, a product of names as shown; empty for the constant term, None without a term
+    is_slip : whether a slip of the pen explains the difference: a sign, a factor of 2, a missing term or letter
+    is_complete : whether the sentence explains everything that is wrong, including a wrong unit
     """
 
-    sentences: list[str]
+    sentence: str
     term: str | None = None
     is_slip: bool = False
     is_complete: bool = False
-    next_question: str = ""
 
 
-def difference_between(question: Question, typed: sp.Expr, typed_values: Values) -> Difference:
-    """Return how an answer differs from the right one.
+@dataclass(frozen=True)
+class _Words:
+    """The sentences about one term."""
 
-    Raises
-    ------
-    terms.NotComparableError : the answer cannot be written out term by term.
-    """
+    extra: str
+    missing: str
+    multiple: str
+    sign: str
+
+
+_OF_A_TERM = _Words(
+    extra=_("Your answer contains a term with {term}. The right answer has none."),
+    missing=_("The term with {term} is missing."),
+    multiple=_("Your coefficient of {term} is {times} the right one."),
+    sign=_("Your coefficient of {term} has the wrong sign."),
+)
+_OF_THE_CONSTANT = _Words(
+    extra=_("Your answer contains a constant term. The right answer has none."),
+    missing=_("The constant term is missing."),
+    multiple=_("Your constant term is {times} the right one."),
+    sign=_("Your constant term has the wrong sign."),
+)
+
+
+def find_difference(question: Question, answer: Formula) -> Difference | None:
+    """Return a factor, the only term or missing letters by which an answer differs from the right one, or None."""
     if question.kind == NUMBER:
-        return Difference([*_compare_numbers(question, typed_values), *_test_mass_ratio(typed, typed_values[0])])
+        return _compare_numbers(answer, question.right_formula)
     if question.kind == EQUATION:
-        return _compare_equations(question, typed)
-    compared = question.compare(typed)
-    difference = _compare_formulas(question, compared)
-    if difference:
-        return difference
+        return _compare_equations(question, answer)
+    if answer.fraction is None:
+        return _find_root()
+    right = question.right_formula.fraction
+    multiple = _find_multiple(question, answer.fraction, right)
+    if multiple:
+        return multiple
     if question.kind == POLYNOMIAL:
-        return _compare_polynomials(question, compared)
-    return _compare_quotients(question, typed, compared)
+        return _find_only_term(answer.fraction, right, question.variables)
+    return _find_missing_letters(question, answer)
 
 
-def _compare_equations(question: Question, typed: sp.Expr) -> Difference:
-    is_solved = question.variables == ("eps",) and _is_solved(typed)
-    differences = None
-    try:
-        differences = question.compare(typed).equation_differences(question.variables)
-    except terms.NotComparableError:
-        if not is_solved:
-            raise
+def _compare_numbers(answer: Formula, right: Formula) -> Difference | None:
+    quotient = find_rational_ratio(answer.values, right.values)
+    if quotient is None:
+        return None
+    sentence = _describe_multiple(FIELD(quotient.numerator) / quotient.denominator)
+    return Difference(sentence) if sentence else None
+
+
+def _compare_equations(question: Question, answer: Formula) -> Difference | None:
+    only_term = None
+    if answer.fraction is not None:
+        right = question.right_formula.fraction
+        only_term = _find_only_term_up_to_factor(answer.fraction, right, question.variables)
     # A single wrong term explains more than the form of the equation.
-    has_one_difference = differences is not None and len(differences) == 1
-    if is_solved and not has_one_difference:
+    if only_term:
+        return only_term
+    if question.variables == ("eps",) and _is_solved(answer.expression):
         value = _("Your equation gives ε a value. The question asks for the quadratic equation that ε satisfies.")
-        return Difference([value], is_complete=True)
-    if not differences:
-        return Difference([_("No term of your equation is in the right ratio to another one.")])
-    return _combine(differences, _("Bring all terms to the left side and compare them."))
+        return Difference(value, is_complete=True)
+    return _find_root() if answer.fraction is None else None
+
+
+def _find_root() -> Difference:
+    return Difference(_("Your answer contains a root. The right one has none."))
 
 
 def _is_solved(typed: sp.Expr) -> bool:
@@ -95,131 +116,151 @@ def _is_solved(typed: sp.Expr) -> bool:
     return only_ratio in (left, right) and left.isdisjoint(right)
 
 
-def _compare_formulas(question: Question, compared: Comparison) -> Difference | None:
-    """Return a difference by a simple factor from the right answer or from its reciprocal, otherwise None."""
-    if terms.format_factor(compared.right) is not None:
-        # Any two products of names differ by a simple factor.
+def _find_multiple(question: Question, answer: FracElement, right: FracElement) -> Difference | None:
+    """Return the factor between the whole answer and the right one, if it is a quotient of single terms."""
+    if format_factor(right) is not None:
+        # Any two products of names differ by such a factor.
         return None
-    ratio = compared.typed / compared.right
-    names = terms.find_names(ratio)
+    ratio = answer / right
+    names = find_names(ratio)
     # A factor with motion changes the terms of a polynomial, so single terms are compared instead.
     has_motion = question.kind == POLYNOMIAL and names.intersection(MOTION)
-    sentences = [] if has_motion else terms.describe_multiple(ratio)
-    if sentences:
-        return Difference(sentences, is_slip=not names)
-    factor = terms.format_factor(compared.typed * compared.right)
-    if factor is None:
+    sentence = None if has_motion else _describe_multiple(ratio)
+    return Difference(sentence, is_slip=not names) if sentence else None
+
+
+def _find_only_term(answer: FracElement, right: FracElement, variables: tuple[str, ...]) -> Difference | None:
+    """Return the only term in the variables that differs, or the only one in all names; None for several terms."""
+    for names in dict.fromkeys((variables, NAMES)):
+        differences = list(_compare_coefficients(answer, right, names))
+        if len(differences) == 1:
+            powers, yours, theirs = differences[0]
+            term = _format_product(powers)
+            sentence = _describe_term(term, yours, theirs)
+            if sentence:
+                in_variables = tuple(
+                    power if name in variables else 0 for name, power in zip(NAMES, powers, strict=True)
+                )
+                is_slip = yours in (0, -theirs, 2 * theirs, theirs / 2)
+                return Difference(sentence, term=_format_product(in_variables), is_slip=is_slip)
+    return None
+
+
+def _find_only_term_up_to_factor(
+    answer: FracElement, right: FracElement, variables: tuple[str, ...]
+) -> Difference | None:
+    """Return the only term of an equation that differs, after another term has been made equal by a factor."""
+    if find_names(FIELD(answer.denom)).intersection(variables):
         return None
-    reciprocal = _("Apart from the factor {factor}, this is the reciprocal of the right answer.")
-    return Difference([reciprocal.format(factor=factor)], is_complete=True)
+    # Denominators without the variables are factors of the equations.
+    answer, right = FIELD(answer.numer), FIELD(right.numer)
+    for names in (variables, NAMES):
+        yours, theirs = collect_coefficients(answer, names) or {}, collect_coefficients(right, names) or {}
+        for powers in yours.keys() & theirs.keys():
+            only_term = _find_only_term(answer, right * yours[powers] / theirs[powers], variables)
+            if only_term:
+                return only_term
+    return None
 
 
-def _compare_polynomials(question: Question, compared: Comparison) -> Difference:
-    differences = compared.differences(question.variables)
-    if differences is None:
-        if question.variables == MOTION:
-            sentence = _("In your answer a velocity or an angle is below a fraction line.")
-        else:
-            sentence = _("In your answer a mass or a length is below a fraction line.")
-        # With a term, even the empty one, the sentence is also shown if the unit is wrong.
-        return Difference([sentence], term="")
-    opposite = replace(compared, typed=-compared.typed).differences(question.variables)
-    if opposite and len(opposite) == 1 and len(differences) > 1:
-        return _combine(opposite, _("Multiply your answer by −1. Then only one term differs."))
-    return _combine(differences)
+def _compare_coefficients(
+    answer: FracElement, right: FracElement, names: tuple[str, ...]
+) -> Iterator[tuple[tuple[int, ...], FracElement, FracElement]]:
+    """Yield the powers of a term, your coefficient and the right one, for each term that differs."""
+    yours, theirs = collect_coefficients(answer, names), collect_coefficients(right, names)
+    if yours is None or theirs is None:
+        return
+    for powers in yours.keys() | theirs.keys():
+        coefficients = yours.get(powers, FIELD.zero), theirs.get(powers, FIELD.zero)
+        if coefficients[0] != coefficients[1]:
+            yield powers, *coefficients
 
 
-def _combine(differences: list[TermDifference], introduction: str = "") -> Difference:
-    """Return the differences of terms as one difference, after an introduction on how to compare."""
-    sentences = [introduction] if introduction else []
-    sentences += terms.summarize(differences)
-    if len(differences) > 1:
-        return Difference(sentences)
-    (only,) = differences
-    next_question = _("Which sign does each of these terms have?") if only.cancels else ""
-    term = None if introduction else only.term
-    return Difference(sentences, term=term, is_slip=only.is_slip, next_question=next_question)
-
-
-def _compare_quotients(question: Question, typed: sp.Expr, compared: Comparison) -> Difference:
-    """Return how a quotient differs from the right one: in a name, or in terms above or below the fraction line."""
+def _find_missing_letters(question: Question, answer: Formula) -> Difference | None:
     needed = [name for name in ("m", "m'", "k", "R") if SYMBOLS[name] in leaves(question.right)]
-    missing = [name for name in needed if not depends_on(typed, SYMBOLS[name])]
-    if missing:
-        # TRANSLATORS: {quantity} is what is asked for, such as the kinetic energy of the block; {names} are symbols.
-        sentence = _("Your answer does not depend on {names}, but {quantity} does.")
-        independent = sentence.format(names=terms.join_names(missing), quantity=question.quantity)
-        return Difference([independent, *_test_special_masses(question, typed)[:1]], is_slip=True)
-    difference_in_one_part = compared.fraction_differences()
-    if difference_in_one_part:
-        sentence, differences = difference_in_one_part
-        is_slip = len(differences) == 1 and differences[0].is_slip
-        return replace(_combine(differences, sentence), is_slip=is_slip)
-    sentences = _test_special_masses(question, typed)
-    # An answer with a decimal number may be right for equal masses except for rounding.
-    if not sentences and not find_decimals(typed):
-        sentences = [_("Your answer is wrong even for equal masses, m′ = m.")]
-    return Difference(sentences)
+    missing = [name for name in needed if not depends_on(answer.expression, SYMBOLS[name])]
+    if not missing:
+        return None
+    # TRANSLATORS: {quantity} is what is asked for, such as the kinetic energy of the block; {names} are symbols.
+    sentence = _("Your answer does not depend on {names}, but {quantity} does.")
+    return Difference(sentence.format(names=join_names(missing), quantity=question.quantity), is_slip=True)
 
 
-def _test_special_masses(question: Question, typed: sp.Expr) -> list[str]:
-    """Return a sentence about special masses for which the answer is right, and one about the place of the error."""
-    m, m_prime = SYMBOLS["m"], SYMBOLS["m'"]
-    # In terms of m and m′, an answer with ε divides by zero for m = 0, so that case is skipped.
-    in_masses = replace_letters(typed, {SYMBOLS["eps"]: m_prime / m})
-    cases = (
-        ({m_prime: POINTS[0][m]}, [_("Your answer is right for equal masses, m′ = m, but not for other masses.")]),
-        ({m_prime: 0}, [_("Your answer is right for m′ = 0."), _("So the error is in a term with m′.")]),
-        ({m: 0}, [_("Your answer is right for m = 0."), _("So the error is in a term with m.")]),
-    )
-    for masses, sentences in cases:
-        values = POINTS[0] | masses
-        try:
-            typed_value, right_value = evaluate(in_masses, values), evaluate(question.right, values)
-        except ArithmeticError:
-            continue
-        if agree((typed_value,), (right_value,)):
-            return sentences
-    return []
+# In words
 
 
-def _compare_numbers(question: Question, typed_values: Values) -> list[str]:
-    """Return a sentence about the quotient of the typed and the right number, or about the part that is right."""
-    right = question.right_values
-    quotient = find_rational_ratio(typed_values, right)
-    if quotient is not None:
-        return terms.describe_multiple(terms.FIELD(quotient.numerator) / quotient.denominator)
-    # The right number has the form p + r√n. If typed − right is rational, the part with the root is right.
-    # If (typed − p)² is rational, p is right. A number has the same value at all points.
-    typed_number, right_number = typed_values[0], right[0]
-    without_root, _with_root = question.right.expand().as_independent(sp.Pow)
-    rational_part = evaluate(without_root, POINTS[0])
-    if _is_rational(typed_number - right_number):
-        return [_("The part of your answer with the root is right. The part without the root is not.")]
-    if not _is_rational(typed_number) and _is_rational((typed_number - rational_part) ** 2):
-        return [_("The part of your answer without the root is right. The part with the root is not.")]
-    return []
+def format_name(name: str) -> str:
+    """Return a name with its Greek letters and primes, for a sentence."""
+    for typed, shown in _SHOWN.items():
+        name = name.replace(typed, shown)
+    return name
 
 
-def _is_rational(number: PreciseNumber) -> bool:
-    return find_rational_ratio((number,), (1,)) is not None
+def join_names(names: list[str]) -> str:
+    """Return names as a list in a sentence: "m, k and R"."""
+    *first, last = map(format_name, names)
+    return _("{names} and {last}").format(names=", ".join(first), last=last) if first else last
 
 
-def _test_mass_ratio(typed: sp.Expr, ratio: PreciseNumber) -> Iterator[str]:
-    """Yield a sentence with the frequency of the machine that has this mass ratio."""
-    if any(depends_on(typed, symbol) for symbol in SYMBOLS.values()):
-        return
-    if ratio <= 0:
-        yield _("A ratio of two masses is positive.")
-        return
-    values = make_point(m=1, k=1, **{"m'": ratio})
-    frequency = evaluate(find_question("natural_frequency_squared").right, values)
-    epsilon, difference = float(ratio), float(abs(frequency - 1))
-    if difference < 1e-5:
-        close = _("With ε = {ratio}, Ω² and k/m differ by {difference} k/m, not by zero.")
-        yield close.format(ratio=format_number(epsilon, 12, strip=True), difference=format_number(difference, 4))
-    else:
-        far = _("With ε = {ratio} you get Ω² = {frequency} k/m.")
-        yield far.format(
-            ratio=format_number(epsilon, 6, strip=True), frequency=format_number(float(frequency), 6, strip=True)
-        )
+def _format_product(powers: tuple[int, ...]) -> str:
+    factors = []
+    for name, power in zip(NAMES, powers, strict=True):
+        if power:
+            factors.append(format_name(name) + (superscript(power) if power > 1 else ""))
+    return "".join(factors)
+
+
+def format_factor(factor: FracElement) -> str | None:
+    """Return a quotient of two single terms as text, such as 3m′/(2m); None for a factor with more terms."""
+    if len(factor.numer) != 1 or len(factor.denom) != 1:
+        return None
+    ((numerator_powers, p),) = factor.numer.items()
+    ((denominator_powers, q),) = factor.denom.items()
+    numerator = (str(abs(int(p))) if abs(p) != 1 else "") + _format_product(numerator_powers)
+    denominator = (str(int(q)) if q != 1 else "") + _format_product(denominator_powers)
+    shown = ("−" if p < 0 else "") + (numerator or "1")
+    if not denominator:
+        return shown
+    factors_below = sum(power > 0 for power in denominator_powers) + (q != 1)
+    if factors_below == 1:
+        return f"{shown}/{denominator}"
+    return f"{shown}/({denominator})"
+
+
+def _describe_term(term: str, yours: FracElement, theirs: FracElement) -> str | None:
+    """Return a sentence about a coefficient that differs, None if a sum of masses in it differs."""
+    words = _OF_A_TERM if term else _OF_THE_CONSTANT
+    if not theirs:
+        return words.extra.format(term=term)
+    if not yours:
+        return words.missing.format(term=term)
+    factor = format_factor(yours / theirs)
+    return _describe_size_and_sign(factor, words.multiple, words.sign, term) if factor else None
+
+
+def _describe_multiple(ratio: FracElement) -> str | None:
+    """Return a sentence about the factor between the typed answer and the right one, None if it has more terms."""
+    times, sign = _("Your answer is {times} the right one."), _("Your answer has the wrong sign.")
+    factor = format_factor(ratio)
+    return _describe_size_and_sign(factor, times, sign) if factor else None
+
+
+def _describe_size_and_sign(factor: str, times: str, sign: str, term: str = "") -> str:
+    """Return a sentence about the size of a factor, after a sentence about its sign if the factor is negative.
+
+    Parameters
+    ----------
+    factor : the factor, as shown
+    times, sign : templates of the two sentences
+    term : the term in the templates
+    """
+    unsigned = factor.removeprefix("−")
+    # TRANSLATORS: stands for {times} in a sentence such as: Your answer is {times} the right one.
+    size = _WORDS.get(unsigned) or _("{factor} times").format(factor=unsigned)
+    if not factor.startswith("−"):
+        return times.format(times=size, term=term)
+    wrong_sign = sign.format(term=term)
+    if factor == "−1":
+        return wrong_sign
+    wrong_size = _("Its size is {times} the right one.").format(times=size)
+    return f"{wrong_sign} {wrong_size}"

@@ -14,14 +14,18 @@ from collections.abc import Callable
 
 import sympy as sp
 
-from ramanujan.answers.formulas import count_leaves, is_decimal, is_number, leaves, replace_letters
-from ramanujan.answers.spelling import Token, UnreadableError, split_into_tokens, to_ascii
+from ramanujan.answers.spelling import Token, TooLargeError, UnreadableError, split_into_tokens, to_ascii
+from ramanujan.answers.typed_formulas import count_leaves, is_decimal, is_number, leaves, replace_letters
 from ramanujan.derivation.printers import latex
-from ramanujan.numerals import explain_ambiguous_number, in_latex
-from ramanujan.translation import _
+from ramanujan.text.numerals import in_latex
+from ramanujan.text.reading import explain_ambiguous_number, normalize
+from ramanujan.text.translation import _
 
 MAX_LENGTH, MAX_DEPTH, MAX_EXPONENT, MAX_WEIGHT = 320, 20, 12, 120
-"""The largest numbers of characters, nested brackets and leaves, and the largest |exponent|. They bound later work."""
+"""The largest numbers of characters without spaces, nested brackets and leaves, and the largest |exponent|.
+
+They bound later work.
+"""
 
 MOST_TYPED = 2 * MAX_LENGTH
 """The longest text. LaTeX needs more characters than the formula it spells."""
@@ -66,10 +70,12 @@ def _parse_sides(text: str, is_equation: bool = False) -> "list[_Part]":
     """Return a formula, or both sides of an equation."""
     if not isinstance(text, str):
         raise UnreadableError(_("Type your answer as text."))
-    in_ascii = to_ascii(text[: MOST_TYPED + 1])
-    if len(text) > MOST_TYPED or len(in_ascii) > MAX_LENGTH:
+    normalized = normalize(text[: MOST_TYPED + 1])
+    in_ascii = to_ascii(normalized)
+    # The LaTeX of the app contains a space between two factors.
+    if len(text) > MOST_TYPED or len(in_ascii.replace(" ", "")) > MAX_LENGTH:
         raise UnreadableError(_("The formula is too long. Use at most {most} characters.").format(most=MAX_LENGTH))
-    ambiguity = explain_ambiguous_number(text)
+    ambiguity = explain_ambiguous_number(normalized)
     if ambiguity:
         raise UnreadableError(ambiguity)
     sides = in_ascii.replace("≈", "=").split("=")
@@ -97,7 +103,7 @@ class _Part:
 
     def __init__(self, value: sp.Expr, shown: str, unbracketed: str = "") -> None:
         if count_leaves(value).total() > MAX_WEIGHT:
-            raise UnreadableError(_("This is too large to check here. Write it shorter or with smaller exponents."))
+            raise TooLargeError
         self.value, self.shown, self.unbracketed = value, shown, unbracketed or shown
 
     @property

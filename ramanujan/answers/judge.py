@@ -5,18 +5,24 @@ from dataclasses import dataclass
 import sympy as sp
 
 from ramanujan.answers import terms, values
-from ramanujan.answers.differences import Difference, difference_between
-from ramanujan.answers.formulas import leaves, length, replace_letters
+from ramanujan.answers.differences import Difference, find_difference, join_names
 from ramanujan.answers.grammar import parse, parse_equation
 from ramanujan.answers.questions import EQUATION, QUESTIONS, Question, find_question
 from ramanujan.answers.spelling import SYMBOLS, TEXTBOOK, UnknownNameError, UnreadableError
-from ramanujan.translation import _, ngettext
+from ramanujan.answers.typed_formulas import leaves, length, replace_letters
+from ramanujan.text.translation import _, ngettext
 
-_DIGITS_FOR_SLIPS, _DIGITS_FOR_BODIES = 3, 5
-"""A decimal needs this many significant digits to be compared with the results of slips, and of mistakes in bodies."""
+_CLOSE, _CLOSE_TO_SLIP, _CLOSE_TO_BODY = 1e-2, 1e-3, 1e-5
+"""Relative differences within which a decimal number is close to the right value, or to the result of a mistake.
 
-_HALF = 0.5
-"""The largest rounding error in units of the last digit."""
+Mistakes in bodies have many results, so only five digits distinguish them.
+"""
+
+_EQUAL = 1e-50
+"""A relative difference below which the decimal number is exact."""
+
+_FARTHER = 20
+"""How many times as far away the results of all other mistakes must be."""
 
 
 @dataclass(frozen=True)
@@ -30,9 +36,9 @@ class Verdict:
 def judge(question: str, text: str) -> Verdict:
     """Return the verdict on a student's answer; never raises.
 
-    Two formulas are equal if they agree at random points to 1,150 digits. A right formula counts as unsimplified if it
-    contains a needless symbol. It is also unsimplified if it is longer than every form of the derived formula: as
-    derived, factored, or expanded.
+    Two formulas are equal if they are the same fraction, or agree to 50 digits if one contains a root. A right formula
+    counts as unsimplified if it contains a needless symbol. It is also unsimplified if it is longer than every form of
+    the derived formula: as derived, factored, or expanded.
 
     Parameters
     ----------
@@ -47,8 +53,8 @@ def judge(question: str, text: str) -> Verdict:
 def _judge_formula(question: Question, text: str) -> Verdict:
     try:
         typed = _parse(question, text)
-        letters = _find_letters(typed)
-        return _compare(question, _replace_letters(question, typed), letters)
+        letters = [letter for letter in TEXTBOOK.values() if letter in leaves(typed)]
+        return _compare(question, _replace_letters(question, typed, letters), letters)
     except UnknownNameError as error:
         may_use = _("You may use {names} and sqrt( ).").format(names=", ".join(question.accepted_names) or _("numbers"))
         return Verdict("unreadable", f"{error} {may_use}")
@@ -70,18 +76,14 @@ def _parse(question: Question, text: str) -> sp.Expr:
     return sp.Add(left, sp.Mul(-1, right, evaluate=False), evaluate=False)
 
 
-def _find_letters(typed: sp.Expr) -> list[sp.Symbol]:
-    return [letter for letter in TEXTBOOK.values() if letter in leaves(typed)]
-
-
-def _replace_letters(question: Question, typed: sp.Expr) -> sp.Expr:
+def _replace_letters(question: Question, typed: sp.Expr, letters: list[sp.Symbol]) -> sp.Expr:
     """Replace v, I, ω and x by their meanings.
 
     Raises
     ------
     UnreadableError : the question does not use one of the letters.
     """
-    for letter in _find_letters(typed):
+    for letter in letters:
         if letter not in question.letters:
             # A student who types ω in another question usually means Ω.
             if letter == TEXTBOOK["omega"]:
@@ -92,11 +94,11 @@ def _replace_letters(question: Question, typed: sp.Expr) -> sp.Expr:
 
 
 def _compare(question: Question, typed: sp.Expr, letters: list[sp.Symbol]) -> Verdict:
-    typed_values = question.evaluate(typed)
-    if not values.agree(typed_values, question.right_values):
-        if _has_right_numerator(question, typed):
+    answer = question.read(typed)
+    if not question.are_equal(answer, question.right_formula):
+        if _has_right_numerator(question, answer):
             return Verdict("unsimplified", _("Right so far! What do you get if you multiply by the denominator?"))
-        return Verdict("wrong", " ".join(_explain(question, typed, typed_values)))
+        return Verdict("wrong", " ".join(_explain(question, answer)))
     if letters:
         sentences = [_("Right so far!")]
         for letter in letters:
@@ -107,125 +109,108 @@ def _compare(question: Question, typed: sp.Expr, letters: list[sp.Symbol]) -> Ve
     needless = [name for name, symbol in SYMBOLS.items() if symbol in used and name not in question.names]
     if needless:
         sentence = _("Right! The formula can be written without {names}.")
-        return Verdict("unsimplified", sentence.format(names=terms.join_names(needless)))
+        return Verdict("unsimplified", sentence.format(names=join_names(needless)))
     may_be_long = question.accepts_any_form or question.kind == EQUATION
     if not may_be_long and length(typed) > question.longest_form:
         return Verdict("unsimplified", _("Right! The formula can be written shorter."))
     return Verdict("right", _("Right!"))
 
 
-def _has_right_numerator(question: Question, typed: sp.Expr) -> bool:
+def _has_right_numerator(question: Question, answer: values.Formula) -> bool:
     """Return whether the numerator of an equation is the right one, up to a factor without the variables."""
-    if question.kind != EQUATION:
+    if question.kind != EQUATION or not answer.fraction:
         return False
-    try:
-        numerator = terms.FIELD(question.to_fraction(typed).numer)
-    except terms.NotComparableError:
-        return False
-    factor = terms.find_names(numerator / question.right_terms)
-    return bool(numerator) and factor.isdisjoint(question.variables)
+    factor = terms.FIELD(answer.fraction.numer) / question.right_formula.fraction
+    return terms.find_names(factor).isdisjoint(question.variables)
 
 
-def _explain(question: Question, typed: sp.Expr, typed_values: values.Values) -> list[str]:
+def _explain(question: Question, answer: values.Formula) -> list[str]:
     """Return sentences about a wrong answer, the last one with the next question.
 
-    The first explanation counts, in this order: a known slip, a rounded number, a difference of the whole formula, a
-    mistake in a body. Without such an explanation, the sentences are about the unit, the names and the single terms.
+    The first explanation counts, in this order: a known slip, a decimal number, a difference of the whole formula, a
+    mistake in a body. Without such an explanation, the sentences are about the unit, the names and one term.
     """
-    is_zero = not any(typed_values)
-    if is_zero and question.kind == EQUATION:
+    if answer.is_zero and question.kind == EQUATION:
         return [_("Both sides of your equation are equal."), question.next_question]
-    if is_zero:
+    if answer.is_zero:
         return [_("Your answer is zero."), question.next_question]
-    hint = _find_hint(question.values_of_slips, typed_values) or _explain_rounding(question, typed)
+    hint = _find_hint(question, question.slips, answer) or _explain_decimal(question, answer)
     if hint:
         return [hint]
-    difference = _find_difference(question, typed, typed_values)
+    difference = find_difference(question, answer)
     if not _is_explained(question, difference):
-        hint = _explain_body_mistake(question, typed_values)
+        hint = _explain_body_mistake(question, answer)
         if hint:
             return [hint]
-    return _explain_difference(question, typed, difference)
+    return _explain_difference(question, answer.expression, difference)
 
 
-def _is_explained(question: Question, difference: Difference) -> bool:
+def _is_explained(question: Question, difference: Difference | None) -> bool:
     """Return whether a difference explains an answer better than a mistake in a body.
 
-    A missing term or a wrong sign is more likely than a mistake in a body. The energy of one body is an exception. A
-    wrong sign in it usually comes from a wrong velocity, unless the student typed terms that cancel.
+    A missing term or a wrong sign is more likely than a mistake in a body. The energy of one body is an exception: a
+    wrong sign in it usually comes from a wrong velocity.
     """
-    if difference.next_question or difference.is_complete:
-        return True
-    return difference.is_slip and not question.is_about_one_body
+    if difference is None:
+        return False
+    return difference.is_complete or (difference.is_slip and not question.is_about_one_body)
 
 
-def _explain_difference(question: Question, typed: sp.Expr, difference: Difference) -> list[str]:
-    """Return sentences about the unit, the names and the terms of a wrong answer, then the next question."""
+def _explain_difference(question: Question, typed: sp.Expr, difference: Difference | None) -> list[str]:
+    """Return sentences about the unit, the names and the term of a wrong answer, then the next question."""
     sentences = []
-    if not difference.is_complete:
+    if not (difference and difference.is_complete):
         faults = (_explain_wrong_unit(question, typed), _explain_foreign_names(question, typed))
         sentences = [fault for fault in faults if fault]
-    # If the unit or the names are wrong, most terms are wrong, and a list of them does not help.
-    if difference.term is not None or not sentences:
-        sentences += difference.sentences
-    next_of_term = question.next_questions_of_terms.get(difference.term or "", question.next_question)
-    return [*sentences, difference.next_question or next_of_term]
+    # If the unit or the names are wrong, the whole answer is, and a factor does not help.
+    if difference and (difference.term is not None or not sentences):
+        sentences.append(difference.sentence)
+    if not sentences:
+        sentences = [_("This is not the right answer.")]
+    next_question = question.next_question
+    if difference and difference.term:
+        next_question = question.next_questions_of_terms.get(difference.term, next_question)
+    return [*sentences, next_question]
 
 
-def _find_difference(question: Question, typed: sp.Expr, typed_values: values.Values) -> Difference:
-    try:
-        return difference_between(question, typed, typed_values)
-    except terms.NotComparableError as error:
-        return Difference([str(error)])
+def _find_hint(question: Question, mistakes: values.Mistakes, answer: values.Formula) -> str | None:
+    return next((hint for hint, wrong in mistakes if question.are_equal(answer, wrong)), None)
 
 
-def _find_hint(mistakes: values.Mistakes, typed_values: values.Values) -> str | None:
-    return next((hint for hint, wrong in mistakes if values.agree(typed_values, wrong)), None)
-
-
-def _explain_body_mistake(question: Question, typed_values: values.Values) -> str | None:
+def _explain_body_mistake(question: Question, answer: values.Formula) -> str | None:
     """Return the hint about a mistake in a body that leads to this answer, such as a wrong velocity, or None."""
-    hint = _find_hint(question.values_of_body_mistakes, typed_values)
+    hint = _find_hint(question, question.body_mistakes, answer)
     if hint or not question.is_about_one_body:
         return hint
-    hint_without_half = _find_hint(question.values_of_body_mistakes, tuple(value / 2 for value in typed_values))
+    half = question.read(sp.Mul(sp.S.Half, answer.expression, evaluate=False))
+    hint_without_half = _find_hint(question, question.body_mistakes, half)
     if hint_without_half:
         return _("{hint} A factor ½ is missing as well.").format(hint=hint_without_half)
     return None
 
 
-def _explain_rounding(question: Question, typed: sp.Expr) -> str | None:
-    """Return a hint if a decimal number in the answer is a rounded exact number, else None."""
-    numbers = values.find_decimals(typed)
-    if not numbers or question.kind == EQUATION:
+def _explain_decimal(question: Question, answer: values.Formula) -> str | None:
+    """Return a hint if an answer with a decimal number is close to the right one or to the result of a mistake."""
+    if not answer.has_decimals or question.kind == EQUATION:
         return None
-    units = values.compute_rounding_error(typed, question.right_values)
-    if units is not None:
-        if units <= _HALF:
-            return _("An exact number agrees with your decimal number to the last digit. What is the exact number?")
-        return _("The last digit of your decimal number is off by one unit. What is the exact number?")
-    return _explain_rounded_mistake(question, typed, min(map(_count_significant_digits, numbers)))
+    if values.find_distance(answer.values, question.right_formula.values) < _CLOSE:
+        return _("Your answer is close to the exact value. Type it exactly, with a fraction or a root.")
+    hint = _find_nearest_hint(question.slips, answer, _CLOSE_TO_SLIP) or _find_nearest_hint(
+        question.body_mistakes, answer, _CLOSE_TO_BODY
+    )
+    return _("Your decimal number is close to this case. {hint}").format(hint=hint) if hint else None
 
 
-def _count_significant_digits(decimal: sp.Symbol) -> int:
-    return len(decimal.name.replace(".", "").lstrip("0"))
-
-
-def _explain_rounded_mistake(question: Question, typed: sp.Expr, digits: int) -> str | None:
-    """Return the hint if the decimal number is the rounded result of exactly one mistake, else None."""
-    mistakes: list[tuple[str, values.Values]] = []
-    if digits >= _DIGITS_FOR_SLIPS:
-        mistakes += question.values_of_slips
-    if digits >= _DIGITS_FOR_BODIES:
-        mistakes += question.values_of_body_mistakes
-    hints = []
-    for hint, wrong in mistakes:
-        units = values.compute_rounding_error(typed, wrong)
-        if units is not None and units <= _HALF:
-            hints.append(hint)
-    if len(hints) == 1:
-        return _("Your decimal number agrees to the last digit with this case. {hint}").format(hint=hints[0])
-    return None
+def _find_nearest_hint(mistakes: values.Mistakes, answer: values.Formula, closest: float) -> str | None:
+    """Return the hint about the only mistake with a result near the answer, None without such a mistake."""
+    distances = sorted((values.find_distance(answer.values, wrong.values), hint) for hint, wrong in mistakes)
+    if not distances:
+        return None
+    nearest, hint = distances[0]
+    if not _EQUAL < nearest < closest:
+        return None
+    has_rival = any(distance < _FARTHER * nearest for distance, other in distances if other != hint)
+    return None if has_rival else hint
 
 
 def _explain_foreign_names(question: Question, typed: sp.Expr) -> str | None:
@@ -240,13 +225,13 @@ def _explain_foreign_names(question: Question, typed: sp.Expr) -> str | None:
         return None
     if question.name == "potential_energy" and foreign in (["X"], ["Phi"]):
         spring = _("Your answer depends on {name}, but {name} does not deform the spring.")
-        return spring.format(name=terms.join_names(foreign))
+        return spring.format(name=join_names(foreign))
     sentence = ngettext(
         "Your answer depends on {names}, but {quantity} does not depend on it.",
         "Your answer depends on {names}, but {quantity} does not depend on them.",
         len(foreign),
     )
-    return sentence.format(names=terms.join_names(foreign), quantity=question.quantity)
+    return sentence.format(names=join_names(foreign), quantity=question.quantity)
 
 
 def _explain_wrong_unit(question: Question, typed: sp.Expr) -> str | None:

@@ -17,20 +17,12 @@ from sympy.polys.matrices.exceptions import DMNonInvertibleMatrixError
 
 from ramanujan.derivation import model
 from ramanujan.derivation.model import COORDINATES, Body, Machine, Phi, R, X, epsilon, k, m, m_prime, phi
-from ramanujan.translation import _
-
-BODY_NAMES = {
-    # TRANSLATORS: the names of the bodies in sentences; they fill the slots {body}, {name} and {roller}.
-    "block": _("the block"),
-    "hoop": _("the hoop"),
-    "cylinder": _("the lower cylinder"),
-    "slab": _("the slab"),
-    "top": _("the top cylinder"),
-}
-"""The name of each body in a sentence."""
+from ramanujan.text.names import BODIES
+from ramanujan.text.translation import _
 
 _LOWER, _ROLLERS, _RIDERS = "hoop cylinder", "hoop cylinder top", "hoop cylinder slab top"
-_GROUPS = BODY_NAMES | {
+_GROUPS = {
+    **{body: names.in_sentence for body, names in BODIES.items()},
     _LOWER: _("the lower rollers"),
     _ROLLERS: _("all rollers"),
     _RIDERS: _("everything on the block"),
@@ -137,7 +129,7 @@ MISTAKES = (
         id="other_mass",
         # TRANSLATORS: {body} is the block, the hoop, the lower rollers … as translated for this.
         hint=_("You get this result if you give the mass {mass} to {body}. Which bodies have this mass?"),
-        groups=(*BODY_NAMES, _LOWER),
+        groups=(*BODIES, _LOWER),
         change=lambda body: {"mass": m if body.mass == m_prime else m_prime},
         example=("kinetic_energy_block", "½m'X'²"),
     ),
@@ -202,7 +194,7 @@ MISTAKES = (
         id="left_out",
         # TRANSLATORS: {body} is the block, the hoop, the lower rollers … as translated for this.
         hint=_("You get this result if you leave out {body}. Which bodies have kinetic energy?"),
-        groups=tuple(BODY_NAMES),
+        groups=tuple(BODIES),
         change=lambda _body: {"mass": sp.S.Zero},
         example=("lagrangian", "(m+m')X'² + ¼(8m+7m')R²φ'² - 2(m+m')RX'φ' - 2kR²φ²"),
     ),
@@ -218,15 +210,14 @@ def list_altered_machines() -> tuple[AlteredMachine, ...]:
     machines = []
     for mistake in MISTAKES:
         for group in mistake.groups:
-            bodies = (_apply_mistake(body, mistake, group.split()) for body in right_machine().bodies)
+            names = group.split()
+            bodies = (
+                replace(body, **mistake.change(body)) if body.name in names else body for body in right_machine().bodies
+            )
             altered = AlteredMachine(mistake, group, Machine(tuple(bodies)))
             if altered.machine != right_machine():
                 machines.append(altered)
     return tuple(machines)
-
-
-def _apply_mistake(body: Body, mistake: Mistake, names: list[str]) -> Body:
-    return replace(body, **mistake.change(body)) if body.name in names else body
 
 
 def find_common_hint(alternatives: Sequence[AlteredMachine]) -> str | None:

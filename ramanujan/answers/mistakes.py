@@ -16,7 +16,8 @@ from ramanujan.answers import machines
 from ramanujan.derivation.elimination import Elimination, eliminate, phi_ddot
 from ramanujan.derivation.model import ACCELERATIONS, COORDINATES, VELOCITIES, R, epsilon, k, m, m_prime, t
 from ramanujan.derivation.numbers import unit_frequency_condition
-from ramanujan.translation import _
+from ramanujan.text.names import BODIES
+from ramanujan.text.translation import _
 
 HINTS = {
     "no_radius": _("You get this result if you leave out R. Which length belongs to an angle?"),
@@ -208,7 +209,7 @@ def find_energy_slips(name: str) -> Slips:
         yield _make_slip(
             "energies_subtracted", translation - rotation, rotation - translation, example="½m'(Rφ'-X')²-¼m'R²φ'²"
         )
-    yield _make_slip("rotation_alone", rotation, example="½m'R²φ'²", body=machines.BODY_NAMES[name])
+    yield _make_slip("rotation_alone", rotation, example="½m'R²φ'²", body=BODIES[name].in_sentence)
 
 
 def find_spring_slips() -> Slips:

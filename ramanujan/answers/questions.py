@@ -9,24 +9,24 @@ from dataclasses import dataclass, field
 from functools import cached_property, partial
 
 import sympy as sp
-from sympy.polys.fields import FracElement
 
 from ramanujan.answers import machines, mistakes
-from ramanujan.answers.formulas import leaves, length, remove_signs
-from ramanujan.answers.machines import BODY_NAMES, AlteredMachine
+from ramanujan.answers.machines import AlteredMachine
 from ramanujan.answers.mistakes import Slip, Slips, eliminate_right_machine
 from ramanujan.answers.spelling import MOTION, SYMBOLS, TEXTBOOK
-from ramanujan.answers.terms import NAMES, Comparison, to_fraction
-from ramanujan.answers.values import Mistakes, Values, agree, evaluate_at_points, evaluate_quotients
+from ramanujan.answers.terms import NAMES, remove_factor
+from ramanujan.answers.typed_formulas import leaves, length
+from ramanujan.answers.values import Formula, Mistakes
 from ramanujan.derivation import ROUTES, Step, model
 from ramanujan.derivation.elimination import Phi_ddot, X_ddot, phi_ddot
 from ramanujan.derivation.model import Machine, R, X, epsilon, m, m_prime, phi, t
 from ramanujan.derivation.numbers import unit_frequency_condition
 from ramanujan.derivation.printers import latex
-from ramanujan.translation import _
+from ramanujan.text.names import BODIES
+from ramanujan.text.translation import _
 
 POLYNOMIAL, QUOTIENT, NUMBER, EQUATION = "polynomial", "quotient", "number", "equation"
-"""How an answer is compared: term by term, as one fraction, as a number, or term by term up to a common factor."""
+"""How an answer is compared: term by term, as a whole, as a number, or term by term up to a common factor."""
 
 
 @dataclass(frozen=True)
@@ -76,7 +76,7 @@ class Question:
     @property
     def is_about_one_body(self) -> bool:
         """Whether the question is about one body."""
-        return any(self.name == f"kinetic_energy_{body}" for body in BODY_NAMES)
+        return any(self.name == f"kinetic_energy_{body}" for body in BODIES)
 
     @property
     def names(self) -> tuple[str, ...]:
@@ -99,46 +99,30 @@ class Question:
         """The lecturer's next question, then the reasons of the steps, Markdown with $…$; none contains the answer."""
         return (self.next_question, *(_find_step(key).reason for key in self.steps))
 
-    def evaluate(self, formula: sp.Expr) -> Values:
-        """Return the values of a formula for the comparison with the answer.
+    def read(self, expression: sp.Expr) -> Formula:
+        """Return an answer as a formula, in terms of ε only if the right answer contains ε.
 
-        The values of an equation do not change if it is multiplied by a factor.
+        An equation loses its factor without the variables, so equal equations become equal formulas.
 
         Raises
         ------
-        ArithmeticError : under the conditions of `values.evaluate_at_points`.
+        UnreadableError, ArithmeticError : under the conditions of `Formula`.
         """
+        formula = Formula(expression, is_in_ratio=epsilon in leaves(self.right))
+        if self.kind == EQUATION and formula.fraction:
+            formula.fraction = remove_factor(formula.fraction, self.variables)
+        return formula
+
+    @cached_property
+    def right_formula(self) -> Formula:
+        """The right answer as a formula."""
+        return self.read(self.right)
+
+    def are_equal(self, one: Formula, other: Formula) -> bool:
+        """Return whether two answers are the same; an equation with a root equals no other."""
         if self.kind == EQUATION:
-            return evaluate_quotients(formula, self.variables)
-        return evaluate_at_points(formula)
-
-    def to_fraction(self, formula: sp.Expr) -> FracElement:
-        """Return a formula in lowest terms, with ε only if the right answer contains ε.
-
-        Raises
-        ------
-        terms.NotComparableError : under the conditions of `terms.to_fraction`.
-        """
-        return to_fraction(formula, is_in_ratio=epsilon in leaves(self.right))
-
-    @cached_property
-    def right_values(self) -> Values:
-        """The values of the right answer."""
-        return self.evaluate(self.right)
-
-    @cached_property
-    def right_terms(self) -> FracElement:
-        """The right answer in lowest terms; raises `terms.NotComparableError` for an answer with a root."""
-        return self.to_fraction(self.right)
-
-    def compare(self, formula: sp.Expr) -> Comparison:
-        """Return an answer and the right one in lowest terms.
-
-        Raises
-        ------
-        terms.NotComparableError : under the conditions of `terms.to_fraction`.
-        """
-        return Comparison(self.to_fraction(formula), self.right_terms, self.to_fraction(remove_signs(formula)))
+            return one.fraction is not None and one.fraction == other.fraction
+        return one.equals(other)
 
     def list_slips(self) -> list[Slip]:
         """Return all slips, including those without effect on the answer."""
@@ -148,40 +132,49 @@ class Question:
         return slips
 
     @cached_property
-    def values_of_slips(self) -> Mistakes:
-        """Hint and values of each slip that changes the answer."""
+    def slips(self) -> Mistakes:
+        """Hint and result of each slip that changes the answer."""
         slips = []
         for slip in self.list_slips():
             for result in dict.fromkeys(slip.results):
-                values = self._values_of_mistake(result)
-                if values:
-                    slips.append((slip.hint, values))
+                wrong = self._read_mistake(result)
+                if wrong:
+                    slips.append((slip.hint, wrong))
         return tuple(slips)
 
     @cached_property
-    def values_of_body_mistakes(self) -> Mistakes:
-        """Pairs of a hint and values for the mistakes in bodies, one pair for all mistakes with the same values.
+    def body_mistakes(self) -> Mistakes:
+        """Pairs of a hint and a result for the mistakes in bodies, one pair for all mistakes with the same result.
 
-        Mistakes with the same values are omitted if they have no common hint.
+        Mistakes with the same result are omitted if they have no common hint.
         """
-        groups: list[tuple[Values, list[AlteredMachine]]] = []
+        groups: list[tuple[Formula, list[AlteredMachine]]] = []
         for altered in machines.list_altered_machines():
-            values = self._values_of_mistake(self.find_answer_for(altered.machine))
-            if values:
-                _add_to_group(groups, values, altered)
-        hints = [(machines.find_common_hint(group), values) for values, group in groups]
-        return tuple((hint, values) for hint, values in hints if hint)
+            wrong = self._read_mistake(self.find_answer_for(altered.machine))
+            if wrong:
+                self._add_to_group(groups, wrong, altered)
+        hints = [(machines.find_common_hint(group), wrong) for wrong, group in groups]
+        return tuple((hint, wrong) for hint, wrong in hints if hint)
 
-    def _values_of_mistake(self, result: sp.Expr | None) -> Values | None:
-        """Return the values of a wrong answer; None if it does not exist, is zero, or is right after all."""
-        if result is None or result == 0:
+    def _add_to_group(
+        self, groups: list[tuple[Formula, list[AlteredMachine]]], wrong: Formula, altered: AlteredMachine
+    ) -> None:
+        """Add an altered machine to the group with the same result, or to a new group."""
+        for result, group in groups:
+            if self.are_equal(result, wrong):
+                group.append(altered)
+                return
+        groups.append((wrong, [altered]))
+
+    def _read_mistake(self, result: sp.Expr | None) -> Formula | None:
+        """Return a wrong answer as a formula; None if it does not exist, is zero, or is right after all."""
+        if result is None:
             return None
         try:
-            values = self.evaluate(result)
+            wrong = self.read(result)
+            return None if wrong.is_zero or self.are_equal(wrong, self.right_formula) else wrong
         except ArithmeticError:
             return None
-        is_wrong = any(values) and not agree(values, self.right_values)
-        return values if is_wrong else None
 
     @cached_property
     def longest_form(self) -> int:
@@ -194,15 +187,6 @@ class Question:
             sp.expand(numerator) / denominator,
         )
         return max(map(length, forms))
-
-
-def _add_to_group(groups: list[tuple[Values, list[AlteredMachine]]], values: Values, altered: AlteredMachine) -> None:
-    """Add an altered machine to the group with the same values, or to a new group."""
-    for group_values, group in groups:
-        if agree(group_values, values):
-            group.append(altered)
-            return
-    groups.append((values, [altered]))
 
 
 def find_question(name: str) -> Question:
@@ -238,7 +222,7 @@ def _find_step(key: str) -> Step:
 
 
 def _make_body_question(name: str) -> Question:
-    body, body_name = machines.right_machine()[name], BODY_NAMES[name]
+    body, body_name = machines.right_machine()[name], BODIES[name].in_sentence
     # The block has no rate: its velocity contains only X′.
     rate = {"block": "", "top": "Φ′"}.get(name, "φ′")
     templates = {
@@ -321,7 +305,7 @@ def _derive_block_equation(machine: Machine) -> sp.Expr | None:
 
 
 _ALL = (
-    *map(_make_body_question, BODY_NAMES),
+    *map(_make_body_question, BODIES),
     Question(
         name="potential_energy",
         quantity=_("the potential energy"),

@@ -12,8 +12,8 @@ from typing import TypeAlias
 import sympy as sp
 
 from ramanujan.derivation.model import ACCELERATIONS, COORDINATES, VELOCITIES, R, epsilon, k, m, m_prime
-from ramanujan.numerals import FROM_SUPERSCRIPTS
-from ramanujan.translation import _
+from ramanujan.text.reading import DIVISION_SIGNS, FRACTIONS
+from ramanujan.text.translation import _
 
 MAX_DIGITS = 20
 """The most digits of a number."""
@@ -46,19 +46,22 @@ class UnknownNameError(UnreadableError):
         super().__init__(_("“{name}” is not known here.").format(name=name))
 
 
-_FRACTIONS = "½⅓⅔¼¾⅕⅖⅗⅘⅙⅚⅛⅜⅝⅞"
+class TooLargeError(UnreadableError):
+    """The computation with a formula would take too long."""
+
+    def __init__(self) -> None:
+        super().__init__(_("This is too large to check here. Write it shorter or with smaller exponents."))
+
+
 _SPELLINGS = str.maketrans(
     {
-        **dict.fromkeys("′’ʹ´`‘", "'"),
-        **dict.fromkeys("·×⋅∙∗", "*"),
-        # Schools in half of Europe write a division with a colon.
-        **dict.fromkeys("÷∕⁄:∶：", "/"),
-        **dict.fromkeys("−–", "-"),
-        **dict.fromkeys("φϕ", "phi"),
-        **dict.fromkeys("εϵɛ", "eps"),
-        **dict.fromkeys("\t\n\r\u00a0\u2009\u202f", " "),
+        **dict.fromkeys("·×⋅∙∗•", "*"),
+        **dict.fromkeys(DIVISION_SIGNS, "/"),
+        **dict.fromkeys("εɛ", "eps"),
+        **dict.fromkeys("\t\n\r", " "),
         **dict.fromkeys("[{", "("),
         **dict.fromkeys("]}", ")"),
+        "φ": "phi",
         "Φ": "Phi",
         "ω": "omega",
         "√": "sqrt",
@@ -67,19 +70,21 @@ _SPELLINGS = str.maketrans(
 _REPLACEMENTS = [
     (re.compile(pattern), replacement)
     for pattern, replacement in (
-        # Unicode decomposes the Ẋ of a textbook into X and a dot above.
-        ("(?<=[XφϕΦ])\u0307", "'"),
-        ('(?<=[XφϕΦ])\u0308|[″“”"]', "''"),
-        ("⁻?[⁰¹²³⁴⁵⁶⁷⁸⁹]+", lambda match: f"^({match[0].translate(FROM_SUPERSCRIPTS)})"),
-        # A decimal comma, and the thin space between groups of digits.
-        (r"(?<=[0-9]),(?=[0-9])", "."),
-        ("(?<=[0-9])\u202f(?=[0-9]{3})", ""),
+        # The Ẋ of a textbook is decomposed into X and a dot above.
+        ("(?<=[XφΦ])\u0307", "'"),
+        ("(?<=[XφΦ])\u0308", "''"),
+        # A tablet turns two hyphens into a dash.
+        ("--+", "-"),
+        # A decimal comma
+        (r"(\{,\}|(?<!\\),)(?=[0-9])", "."),
         # LaTeX
-        (r"^\s*\$+|\$+\s*$", ""),
+        (r"\$|\\[()\[\]]", " "),
+        (r"\\math[a-z]+\s*\{([^{}]*)\}", r"\1"),
+        (r"(?<=[0-9])\\,(?=[0-9]{3})", ""),
         (r"\\(left|right|displaystyle|quad|[,;:! ])", " "),
         (r"\\(cdot|times)(?![A-Za-z])", "*"),
-        (r"\\dot\s*(\{\s*)?(\\?[A-Za-z]+)\s*(?(1)\})", r" \2'"),
-        (r"\\ddot\s*(\{\s*)?(\\?[A-Za-z]+)\s*(?(1)\})", r" \2''"),
+        (r"\\dot\s*(\{\s*)?(\\?[A-Za-zφΦ]+)\s*(?(1)\})", r" \2'"),
+        (r"\\ddot\s*(\{\s*)?(\\?[A-Za-zφΦ]+)\s*(?(1)\})", r" \2''"),
         (r"\^\s*(\{\s*)?\\prime\s*(?(1)\})", "'"),
         (r"_\s*\{\s*([A-Za-z0-9]+)\s*\}", r"_\1"),
         (r"\\[dt]?frac\s*([0-9])\s*([0-9])", r" frac(\1)(\2)"),
@@ -94,7 +99,7 @@ _RATES = (
     (re.compile("(X|phi|Phi)_?dot|d(X|phi|Phi)"), r"\1\2'"),
 )
 _TOKEN = re.compile(
-    rf"(?P<number>[0-9]+(?:\.[0-9]*)?|\.[0-9]+)|(?P<fraction>[{_FRACTIONS}])"
+    rf"(?P<number>[0-9]+(?:\.[0-9]*)?|\.[0-9]+)|(?P<fraction>[{FRACTIONS}])"
     # An accented letter is two characters after decomposition; a subscript may be a number.
     "|(?P<word>[A-Za-z_](?:[A-Za-z_'\u0300-\u036f]|(?<=_)[0-9]+)*)"
     r"|(?P<sign>[-+*/^()])"
@@ -110,8 +115,7 @@ _NAME = re.compile("|".join(sorted(("sqrt", "frac", *_ALL, *_ALIASES), key=len, 
 
 
 def to_ascii(text: str) -> str:
-    """Return the text in ASCII spelling, apart from fractions such as ½."""
-    text = unicodedata.normalize("NFD", text)
+    """Return a normalized text in ASCII spelling, apart from fractions such as ½."""
     for pattern, replacement in _REPLACEMENTS:
         text = pattern.sub(replacement, text)
     text = text.translate(_SPELLINGS).replace("**", "^")

@@ -1,35 +1,84 @@
-"""The values of a typed formula at three points, to 1,200 digits, and its unit.
+"""The value of a typed formula: an exact fraction, and with a root numbers of 60 digits; its unit.
 
-Two formulas count as equal if they agree at all `POINTS`, whose coordinates have twelve random digits. Two different
-rational formulas of degree 120 agree there with a probability below (240/(9·10¹¹))³ < 1e-28, by the lemma of Schwartz
-and Zippel. Here 240 is the degree of the equation between the two formulas. The product of a hundred coordinates has
-1,200 digits. Therefore two different fractions also differ within these digits if a numerator and a denominator
-together have fewer names.
+A formula without a root is an element of a field, where equal formulas are equal elements. A formula with a root has
+numbers at three random points instead. Two such formulas count as equal if they agree there to 50 digits.
 """
 
 import random
 from collections.abc import Mapping
+from contextlib import suppress
 from fractions import Fraction
-from functools import cache
+from functools import cached_property
 from typing import TypeAlias
 
 import mpmath
 import sympy as sp
+from sympy.polys.fields import FracElement
 
-from ramanujan.answers.formulas import is_decimal, leaves, replace_letters
 from ramanujan.answers.spelling import MOTION, SYMBOLS
+from ramanujan.answers.terms import RootError, to_fraction
+from ramanujan.answers.typed_formulas import is_decimal, leaves, replace_letters
 from ramanujan.derivation.model import COORDINATES, R, epsilon, k, m, m_prime
-from ramanujan.numerals import superscript
+from ramanujan.text.numerals import superscript
 
 _MP = mpmath.mp.clone()
-_MP.dps = 1200
-_AGREEING, _VANISHING = _MP.mpf(10) ** -1150, _MP.mpf(10) ** -1180
-"""Relative differences below which two values count as equal, and a sum as zero."""
+_MP.dps = 60
+_EQUAL = _MP.mpf(10) ** -50
+"""A relative difference below which two values count as equal, and a sum as zero."""
 
 PreciseNumber: TypeAlias = mpmath.mpf
 Values = tuple[PreciseNumber, ...]
-Mistakes = tuple[tuple[str, Values], ...]
-"""Pairs of a hint and the values of the formula that its mistake leads to."""
+
+
+class Formula:
+    """A formula with its exact value, and its values at `POINTS`.
+
+    Parameters
+    ----------
+    expression : a SymPy expression, which may be unevaluated
+    is_in_ratio : as for `terms.to_fraction`
+
+    Raises
+    ------
+    UnreadableError, ZeroDivisionError : under the conditions of `terms.to_fraction`.
+    """
+
+    def __init__(self, expression: sp.Expr, *, is_in_ratio: bool = False) -> None:
+        self.expression = expression
+        self.fraction: FracElement | None = None
+        """The formula in lowest terms, None for a formula with a root."""
+        with suppress(RootError):
+            self.fraction = to_fraction(expression, is_in_ratio=is_in_ratio)
+
+    @cached_property
+    def values(self) -> Values:
+        """The values at `POINTS`.
+
+        Raises
+        ------
+        ArithmeticError : under the conditions of `evaluate`.
+        """
+        return tuple(evaluate(self.expression, point) for point in POINTS)
+
+    @property
+    def is_zero(self) -> bool:
+        """Whether the formula vanishes."""
+        return not (self.fraction if self.fraction is not None else any(self.values))
+
+    @property
+    def has_decimals(self) -> bool:
+        """Whether the formula contains a number with a decimal point."""
+        return any(map(is_decimal, leaves(self.expression)))
+
+    def equals(self, other: "Formula") -> bool:
+        """Return whether two formulas have the same value."""
+        if self.fraction is not None and other.fraction is not None:
+            return self.fraction == other.fraction
+        return agree(self.values, other.values)
+
+
+Mistakes = tuple[tuple[str, Formula], ...]
+"""Pairs of a hint and the formula that its mistake leads to."""
 
 
 class NegativeRootError(ArithmeticError):
@@ -63,7 +112,7 @@ def evaluate(expression: sp.Expr, values: Mapping[sp.Expr, PreciseNumber]) -> Pr
 def _add_up(parts: list[PreciseNumber]) -> PreciseNumber:
     """Return a sum, exactly zero if the parts cancel up to rounding errors."""
     total = _MP.fsum(parts)
-    if any(abs(total) < _VANISHING * abs(part) for part in parts):
+    if any(abs(total) < _EQUAL * abs(part) for part in parts):
         return _MP.zero
     return total
 
@@ -82,67 +131,32 @@ def _compute_power(base: PreciseNumber, exponent: sp.Rational) -> PreciseNumber:
     return _MP.sqrt(base) ** int(2 * exponent)
 
 
-def make_point(**values: PreciseNumber | int) -> dict[sp.Expr, PreciseNumber]:
-    """Return symbol → value for values by typed name, with ε = m′/m."""
-    coordinates = {SYMBOLS[name]: _MP.convert(value) for name, value in values.items()}
-    return coordinates | {epsilon: coordinates[m_prime] / coordinates[m]}
-
-
 def _draw_points() -> tuple[dict[sp.Expr, PreciseNumber], ...]:
     source = random.Random(1729)
     points = []
     for sign in (1, -1, 1):
-        values = {name: source.randrange(10**11, 10**12) for name in SYMBOLS if name != "eps"}
+        # Coordinates of similar size give each term a share of the value, so a value is close only if all terms are.
+        values = {name: 1 + _MP.mpf(source.randrange(10**12)) / 10**12 for name in SYMBOLS if name != "eps"}
         # A negative X′ distinguishes √(X′²) from X′; φ′ stays positive, so X′φ′ is negative, too.
         for name in values:
             if name in MOTION and "phi" not in name:
                 values[name] *= sign
-        points.append(make_point(**values))
+        coordinates = {SYMBOLS[name]: value for name, value in values.items()}
+        points.append(coordinates | {epsilon: coordinates[m_prime] / coordinates[m]})
     return tuple(points)
 
 
 POINTS = _draw_points()
 
 
-@cache
-def move_points(names: tuple[str, ...]) -> tuple[dict[sp.Expr, PreciseNumber], ...]:
-    """Return `POINTS` with other values of these names; `eps` changes m′ and the mass ratio."""
-    names = tuple("m'" if name == "eps" else name for name in names)
-    next_points = POINTS[1:] + POINTS[:1]
-    points = []
-    for old, following in zip(POINTS, next_points, strict=True):
-        moved = old | {SYMBOLS[name]: following[SYMBOLS[name]] + 1 for name in names}
-        points.append(moved | {epsilon: moved[m_prime] / moved[m]})
-    return tuple(points)
-
-
-def evaluate_at_points(expression: sp.Expr, points: tuple[dict[sp.Expr, PreciseNumber], ...] = POINTS) -> Values:
-    """Return the values of a formula at some points.
-
-    Raises
-    ------
-    ArithmeticError : under the conditions of `evaluate`, at a point.
-    """
-    return tuple(evaluate(expression, values) for values in points)
-
-
-def evaluate_quotients(expression: sp.Expr, names: tuple[str, ...]) -> Values:
-    """Return values that do not change if the equation “expression = 0” is multiplied by a factor without `names`.
-
-    The values are quotients of the expression at `POINTS` and at points with other values of `names`, so such a factor
-    cancels.
-
-    Raises
-    ------
-    ArithmeticError : under the conditions of `evaluate_at_points`.
-    """
-    numerators, denominators = evaluate_at_points(expression), evaluate_at_points(expression, move_points(names))
-    return tuple(a / b if b else _MP.zero for a, b in zip(numerators, denominators, strict=True))
-
-
 def agree(left: Values, right: Values) -> bool:
-    """Return whether two formulas have the same values."""
-    return all(abs(a - b) <= _AGREEING * abs(a) for a, b in zip(left, right, strict=True))
+    """Return whether two formulas have the same values at some points."""
+    return all(abs(a - b) <= _EQUAL * abs(a) for a, b in zip(left, right, strict=True))
+
+
+def find_distance(values: Values, target: Values) -> PreciseNumber:
+    """Return the largest relative difference of some values from a target without zeros."""
+    return max(abs(value / wanted - 1) for value, wanted in zip(values, target, strict=True))
 
 
 def find_rational_ratio(left: Values, right: Values) -> Fraction | None:
@@ -172,54 +186,6 @@ def depends_on(expression: sp.Expr, symbol: sp.Expr, *, has_free_ratio: bool = F
     except ArithmeticError:
         return True
     return not agree((before,), (after,))
-
-
-# Decimals
-
-
-def find_decimals(expression: sp.Expr) -> set[sp.Symbol]:
-    """Return the decimal numbers in a formula."""
-    return {symbol for symbol in expression.free_symbols if is_decimal(symbol)}
-
-
-def compute_rounding_error(expression: sp.Expr, target: Values) -> PreciseNumber | None:
-    """Return the rounding error of a decimal in the formula, in units of its last digit.
-
-    The decimal rounds an exact number, with which the formula equals the target at all points. The rounding error is
-    the difference between both numbers. Return None if no exact number exists within one and a half units. Return None
-    also if the exact number has no more digits than the decimal: 0.6 instead of 0.5 is wrong, not rounded.
-    """
-    for decimal in find_decimals(expression):
-        _whole, _point, places = decimal.name.partition(".")
-        typed = _MP.mpf(decimal.name)
-        unit = _MP.mpf(10) ** -len(places)
-        try:
-            exact = _find_exact_number(expression, decimal, target, typed - 3 * unit / 2, typed + 3 * unit / 2)
-        except ArithmeticError:
-            continue
-        if exact is None:
-            continue
-        in_units = exact / unit
-        needs_no_rounding = abs(in_units - _MP.nint(in_units)) <= _MP.mpf(10) ** -60
-        if not needs_no_rounding:
-            return abs(exact - typed) / unit
-    return None
-
-
-def _find_exact_number(
-    expression: sp.Expr, decimal: sp.Symbol, target: Values, low: PreciseNumber, high: PreciseNumber
-) -> PreciseNumber | None:
-    """Return the number from low to high that makes the formula right if it replaces a decimal, or None."""
-
-    def relative_error(number: PreciseNumber, point_number: int = 0) -> PreciseNumber:
-        value = evaluate(expression, POINTS[point_number] | {decimal: number})
-        return value / target[point_number] - 1
-
-    if relative_error(low) * relative_error(high) >= 0:
-        return None
-    root = _MP.findroot(relative_error, (low, high), solver="anderson", tol=1e-120, maxsteps=60, verify=False)
-    errors = [abs(relative_error(root, point_number)) for point_number in range(len(POINTS))]
-    return root if max(errors) <= _MP.mpf(10) ** -80 else None
 
 
 # Units

@@ -1,12 +1,13 @@
-"""The JavaScript modules, style sheets and fonts of the page: the files of this folder, and four modules from Python.
+"""The JavaScript modules, style sheets and fonts of the page: files of this folder, and four modules from Python.
 
 Their address contains the hash of their contents, so that browsers can cache them forever. The browser resolves the
-imports. These modules are generated:
+imports. A style sheet also contains the sheets of the same name in the folders of components and pages. These modules
+are generated:
 
     markup.js                 HTML and CSS of each component, which Streamlit would send again with every run
     stage/formulas.js         the stage's formulas, printed by SymPy
     stage/texts.js            the stage's texts
-    components/language.js    the decimal mark
+    language.js               the decimal mark
 """
 
 import json
@@ -20,40 +21,49 @@ from typing import Any
 
 import streamlit as st
 
-from ramanujan.browser.components.words import TEXTS
+from ramanujan.browser.components.texts import TEXTS
 from ramanujan.browser.stage import words
 from ramanujan.browser.stage.formulas import collect_formulas, collect_labels
 from ramanujan.derivation.printers import javascript
-from ramanujan.numerals import DECIMAL
+from ramanujan.text.numerals import DECIMAL
 
 _HERE = Path(__file__).parent
-_COMMON = _HERE / "components/common.css"
-_MARKUP = {"turn": "steps"}
-"""Component → another component with the same HTML and CSS."""
+_PAGES = _HERE.parent / "pages"
+_COMMON = _HERE / "common.css"
 
 
 @cache
 def collect_files() -> dict[str, bytes]:
-    """Return path → content of all files: modules, style sheets of the pages, and fonts."""
-    sheets = ("contrast", "lesson", "page", "print", "projector", "type")
-    patterns = ("**/*.js", *(f"components/{name}.css" for name in sheets), "**/*.woff2")
-    paths = [path for pattern in patterns for path in sorted(_HERE.glob(pattern))]
-    components = sorted(f"components/{path.stem}" for path in paths if path.match("components/*.js"))
-    sentences = {**words.SENTENCES, **collect_labels(), "slips": words.SLIPS, "bodies": words.BODIES}
+    """Return path → content of all files: modules, style sheets, and fonts."""
+    paths = [path for pattern in ("**/*.js", "**/*.woff2") for path in sorted(_HERE.glob(pattern))]
+    components = sorted(
+        f"components/{path.parent.name}/{path.stem}" for path in paths if path.match("components/*/*.js")
+    )
+    sentences = {**words.SENTENCES, **collect_labels(), "slips": words.SLIPS, "bodies": words.BODY_WORDS}
     generated = {
-        "components/language.js": f'export const DECIMAL = "{DECIMAL}";',
+        "language.js": f'export const DECIMAL = "{DECIMAL}";',
         "markup.js": markup(["stage/stage", *components]),
         "stage/formulas.js": f"export const FORMULAS = {javascript(collect_formulas())};",
         "stage/texts.js": f"export const WORDS = {json.dumps(sentences, ensure_ascii=False)};\n"
         f"export const LIGHT = {json.dumps(_light_colors())};",
     }
     files = {path.relative_to(_HERE).as_posix(): path.read_bytes() for path in paths}
-    files["components/page.css"] += files.pop("components/lesson.css")  # one request for both
+    return files | {name: text.encode() for name, text in (generated | _join_sheets()).items()}
+
+
+def _join_sheets() -> dict[str, str]:
+    """Return the style sheets of the page. Those of components and pages are part of them, to save requests."""
+    beside = [*sorted(_HERE.glob("components/*")), *sorted(_PAGES.glob("*"))]
+    sheets = {
+        name: _read_text(_HERE / name) + "".join(_read_text(folder / name) for folder in beside)
+        for name in ("contrast.css", "page.css", "print.css", "projector.css", "type.css")
+    }
+    sheets["page.css"] = _read_text(_HERE / "streamlit.css") + sheets["page.css"]
     # Components are printed in the light theme.
     light_colors = _light_colors() | {"--st-background-color": "#fff"}
     declarations = "".join(f"{name}: {color}; " for name, color in light_colors.items())
-    files["components/print.css"] += f"#root .stBidiComponent {{ &, * {{ {declarations}}} }}".encode()
-    return files | {name: text.encode() for name, text in generated.items()}
+    sheets["print.css"] += f"#root .stBidiComponent {{ &, * {{ {declarations}}} }}"
+    return sheets
 
 
 @cache
@@ -87,7 +97,7 @@ def markup(names: Iterable[str], appended: str = "") -> str:
         if name == "stage/stage":
             html = _markup(name, words.TEXTS, layer_boxes=_write_layer_boxes())
         else:
-            html = _markup(f"components/{_MARKUP.get(short, short)}", TEXTS.get(short, {}))
+            html = _markup(name, TEXTS.get(short, {}))
         parts[name] = html + appended if html else ""
     return f"export const MARKUP = {json.dumps(parts, ensure_ascii=False)};"
 

@@ -12,5 +12,5 @@ from ramanujan.derivation.steps import ROUTES, Route, Step
 
 # Each file adds its route to `ROUTES`, in the order in which a course would take them.
 # isort: off
-from ramanujan.derivation import euler_lagrange, hamilton, newton, energy, matrix
+from ramanujan.derivation import euler_lagrange, hamilton, newton, energy_conservation, matrix
 # isort: on

@@ -7,13 +7,13 @@ import sympy as sp
 
 from ramanujan.derivation import model
 from ramanujan.derivation.elimination import Elimination, Phi_ddot, X_ddot, eliminate, phi_ddot
-from ramanujan.derivation.energies import COLLECTED, bodies_steps
 from ramanujan.derivation.in_step import close_to_one_step, unit_steps
+from ramanujan.derivation.lagrangian import COLLECTED, bodies_steps
 from ramanujan.derivation.model import COORDINATES, MOMENTA, Omega_squared, equation, gather, k, m, m_prime, phi, t
 from ramanujan.derivation.order import in_order
 from ramanujan.derivation.printers import latex
 from ramanujan.derivation.steps import ROUTES, Route, Step, compare_factors, insert, margin_text, solve_for, step
-from ramanujan.translation import _
+from ramanujan.text.translation import _
 
 
 @ROUTES.add("euler_lagrange")

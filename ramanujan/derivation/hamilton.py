@@ -13,7 +13,7 @@ from ramanujan.derivation.model import COORDINATES, MOMENTA, VELOCITIES, M_e, M_
 from ramanujan.derivation.order import in_order
 from ramanujan.derivation.printers import latex
 from ramanujan.derivation.steps import ROUTES, Route, Step, compare_factors, insert, margin_text, solve_for, step
-from ramanujan.translation import _
+from ramanujan.text.translation import _
 
 X_dot, phi_dot, Phi_dot = VELOCITIES
 p_phi = MOMENTA[COORDINATES.index(phi)]

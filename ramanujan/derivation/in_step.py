@@ -12,7 +12,7 @@ from ramanujan.derivation.order import in_order
 from ramanujan.derivation.printers import latex
 from ramanujan.derivation.steps import Step, insert, margin_text, solve_for, step
 from ramanujan.number_theory import sums_of_two_cubes
-from ramanujan.translation import _
+from ramanujan.text.translation import _
 
 
 def close_to_one_step(normalized: sp.Expr) -> Step:

@@ -5,14 +5,26 @@
 K has rank one, so two modes have zero frequency. The third can be found without a determinant: Ω² = 4kR²(M⁻¹)_φφ.
 """
 
+from collections import Counter
 from dataclasses import dataclass
+from functools import cache
 
 import sympy as sp
 
-from ramanujan.derivation.energies import energies_step
-from ramanujan.derivation.model import ACCELERATIONS, COORDINATES, VELOCITIES, Machine, Omega_squared, equation, gather
+from ramanujan.derivation.lagrangian import energies_step
+from ramanujan.derivation.model import (
+    ACCELERATIONS,
+    COORDINATES,
+    VELOCITIES,
+    Machine,
+    Omega_squared,
+    equation,
+    gather,
+    machine,
+    t,
+)
 from ramanujan.derivation.steps import ROUTES, Route, Step, insert, margin_text, solve_for, step
-from ramanujan.translation import _
+from ramanujan.text.translation import _
 
 omega = sp.Symbol("omega", real=True)
 """Angular frequency of a mode: ω² is an eigenvalue of K relative to M."""
@@ -41,6 +53,7 @@ class Modes:
         return sp.factor(self.stiffness_matrix[_PHI, _PHI] * self.inverse_mass_matrix[_PHI, _PHI])
 
 
+@cache
 def find_modes(bodies: Machine) -> Modes:
     """Return the mass and stiffness matrices, which are second derivatives of the energies, and the modes.
 
@@ -69,12 +82,15 @@ def find_modes(bodies: Machine) -> Modes:
     )
 
 
-def list_eigenvalues(result: Modes) -> list[sp.Expr]:
-    """Return the three eigenvalues, each as often as its multiplicity."""
-    eigenvalues: list[sp.Expr] = []
-    for root, multiplicity in result.eigenvalues.items():
-        eigenvalues += [root] * multiplicity
-    return eigenvalues
+@cache
+def conserved_momenta() -> dict[sp.Expr, sp.Expr]:
+    """Return p_q = ∂ℒ/∂q̇ for each coordinate q that ℒ does not contain.
+
+    A shift of this coordinate costs no energy: it is the direction of a zero-frequency mode. By Noether's theorem its
+    momentum is conserved. Keys are X (the whole machine glides) and Φ (the top cylinder rolls freely).
+    """
+    lagrangian = machine().lagrangian
+    return {q: lagrangian.diff(q.diff(t)) for q in COORDINATES if lagrangian.diff(q) == 0}
 
 
 @ROUTES.add("matrix")
@@ -84,7 +100,8 @@ def build(bodies: Machine) -> Route:
     (oscillating,) = (root for root in result.eigenvalues if root != 0)
     q_ddot = sp.ImmutableMatrix(ACCELERATIONS)
     q = sp.ImmutableMatrix(COORDINATES)
-    eigenvalues = sp.Tuple(*list_eigenvalues(result))
+    # Each as often as its multiplicity.
+    eigenvalues = sp.Tuple(*Counter(result.eigenvalues).elements())
     stiffness = result.stiffness_matrix[_PHI, _PHI]
     steps = (
         energies_step(

@@ -19,16 +19,18 @@ Thirteen equations for thirteen unknowns: five accelerations, three angular acce
 Weights and normal forces are vertical, and their lines of action pass through the axes, so no equation contains them.
 """
 
+from collections.abc import Iterable
 from dataclasses import dataclass
 
 import sympy as sp
 
 from ramanujan.derivation import model
-from ramanujan.derivation.energies import PARTS, velocity_reason
+from ramanujan.derivation.lagrangian import velocity_reason
 from ramanujan.derivation.model import ACCELERATIONS, Body, Machine, R, equation, gather, k, machine, phi, t
 from ramanujan.derivation.printers import latex
 from ramanujan.derivation.steps import ROUTES, Route, Step, compare_factors, insert, margin_text, solve_for, step
-from ramanujan.translation import _
+from ramanujan.text.names import PARTS
+from ramanujan.text.translation import _
 
 TOP, BOTTOM = 1, -1
 X_ddot, phi_ddot, Phi_ddot = ACCELERATIONS
@@ -122,6 +124,18 @@ def contact_forces(bodies: Machine | None = None) -> dict[str, sp.Expr]:
     return {contact.name: _in_terms_of_phi(contact, solution) for contact in CONTACTS}
 
 
+def named_forces(equations: Iterable[sp.Eq]) -> tuple[str, ...]:
+    """Return the contacts whose friction the equations contain, and "spring" if they contain the spring's force, too.
+
+    >>> from ramanujan.derivation import ROUTES
+    >>> named_forces(ROUTES["newton"]["torques"].equations)
+    ('hoop_slab', 'cylinder_slab', 'hoop_block', 'cylinder_block', 'top_block')
+    """
+    terms = sp.Tuple(*equations)
+    contacts = tuple(contact.name for contact in CONTACTS if terms.has(contact.force))
+    return (*contacts, "spring") if contacts and terms.has(k) else contacts
+
+
 def spring_forces(bodies: Machine) -> dict[str, sp.Expr]:
     """Return the force of the spring ON slab and block, to the right, −∂U/∂x of each [N].
 
@@ -129,60 +143,6 @@ def spring_forces(bodies: Machine) -> dict[str, sp.Expr]:
     -2*R*k*varphi(t)
     """
     return {name: _spring_on(bodies[name], bodies) for name in ("slab", "block")}
-
-
-def normal_forces(bodies: Machine, spacing: sp.Expr, g: sp.Expr) -> dict[str, sp.Expr]:
-    """Return the normal force at every contact [N], from the balances of vertical forces and, for the slab, of moments.
-
-    The slab is thin; for φ = 0 its middle is midway between the axes of the rollers.
-
-    Parameters
-    ----------
-    bodies : the machine
-    spacing : L, distance between the axes of hoop and lower cylinder [m]
-    g : gravitational acceleration [m/s²]
-
-    >>> L, g = sp.symbols("L g")
-    >>> sp.factor(normal_forces(machine(), L, g)["hoop_slab"])
-    g*m*(L - 2*R*varphi(t))/(2*L)
-    """
-    on_hoop, on_cylinder = sp.symbols("N_hoop N_cylinder")
-    # The displacement of the middle of the slab relative to the axes of the rollers.
-    shift = bodies["slab"].displacement - bodies["hoop"].displacement
-    vertical_forces = on_hoop + on_cylinder - bodies["slab"].mass * g
-    moments = on_hoop * (spacing / 2 + shift) - on_cylinder * (spacing / 2 - shift)
-    solved = sp.solve((vertical_forces, moments), (on_hoop, on_cylinder))
-    load_on_roller = {"hoop": solved[on_hoop], "cylinder": solved[on_cylinder], "top": sp.S.Zero}
-    result = {}
-    for contact in CONTACTS:
-        # The block also carries the weight of the roller.
-        weight = bodies[contact.roller].mass * g if contact.side == BOTTOM else 0
-        result[contact.name] = sp.factor(load_on_roller[contact.roller] + weight)
-    return result
-
-
-def floor_lever(bodies: Machine, g: sp.Expr) -> sp.Expr:
-    """Return the lever of the floor's resultant normal force about the centre of mass, positive to the right [m].
-
-    The floor has no friction. The clockwise torque of its normal force and of the weights about a point of the floor is
-    the rate of the angular momentum:
-
-        −lever · Σ mg = Σ (m · height · ẍ + I θ̈)
-
-    The heights of the bodies' centres over the floor are the symbols height_block, … [m].
-
-    Parameters
-    ----------
-    bodies : the machine
-    g : gravitational acceleration [m/s²]
-    """
-    height = {body.name: sp.Symbol(f"height_{body.name}", positive=True) for body in bodies.bodies}
-    rate = total_mass = sp.S.Zero
-    for body in bodies.bodies:
-        rate += body.mass * height[body.name] * body.displacement.diff(t, 2)
-        rate += body.moment_of_inertia * body.angle.diff(t, 2)
-        total_mass += body.mass
-    return -rate / (g * total_mass)
 
 
 @ROUTES.add("newton")

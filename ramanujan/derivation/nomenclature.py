@@ -7,7 +7,7 @@ from ramanujan.derivation import model
 from ramanujan.derivation.numbers import Numbers
 from ramanujan.derivation.printers import latex
 from ramanujan.derivation.steps import Route
-from ramanujan.translation import _
+from ramanujan.text.translation import _
 
 _MACHINE = {
     model.X: _("displacement of the block relative to the ground, positive to the left [m]"),

@@ -5,8 +5,8 @@ route. `CHECK` then compares its Ω² with the root of det(K − ω²M) = 0. A n
 computes its distance from Ω² = k/m (`DISTANCE`) and its Ω² (`FREQUENCY`).
 """
 
-from ramanujan.derivation.energies import PARTS
-from ramanujan.translation import _
+from ramanujan.text.names import PARTS
+from ramanujan.text.translation import _
 
 _SIGNS = _(
     "Displacements relative to the ground are positive to the right, X is positive to the left, angles are clockwise."

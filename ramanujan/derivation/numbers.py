@@ -4,6 +4,7 @@ A float is converted to the entered number: 0.1 to 1/10, and the float nearest t
 to m·ε*, it is converted to m·ε* = m(√1729 − 1)/36. The result Ω² = k/m is then computed, not assumed.
 """
 
+from collections.abc import Iterable
 from dataclasses import dataclass, fields, replace
 from decimal import Decimal
 from fractions import Fraction
@@ -19,8 +20,8 @@ from ramanujan.derivation.elimination import UnitCondition, eliminate, unit_cond
 from ramanujan.derivation.model import k, m, m_prime, machine
 from ramanujan.derivation.order import InOrder, in_order, order_terms
 from ramanujan.derivation.printers import DIGITS, QuadraticNumber, format_decimal, latex, round_number
-from ramanujan.numerals import in_latex
-from ramanujan.translation import _
+from ramanujan.text.numerals import in_latex
+from ramanujan.text.translation import _
 
 GIVEN = (m, m_prime, k)
 """The symbols that have a value."""
@@ -120,6 +121,29 @@ class Numbers:
         denominators, others = sift(others, lambda factor: factor.is_Pow and factor.exp.is_negative, binary=True)
         distributed = sp.Add(*(sp.Mul(*numbers, term, *denominators) for term in bracket.args))
         return self.insert_into(sp.Mul(distributed, *others))
+
+
+def state_factor_one(numbers: Numbers, equations: Iterable[sp.Basic]) -> str:
+    r"""Return a sentence about each mass of 1 kg that is a factor of a product in the equations; "" without one.
+
+    Such a factor is not written, so the units of the product seem to be wrong: I = R².
+
+    Parameters
+    ----------
+    numbers : the numbers that are inserted
+    equations : in symbols
+
+    >>> from ramanujan.derivation.model import R
+    >>> print(state_factor_one(Numbers(1, 2, 3), [sp.Eq(sp.Symbol("I"), m * R**2)]))
+    Because $m=1\,\mathrm{kg}$, this factor is not written.
+    """
+    products = {product for equation in equations for product in equation.atoms(sp.Mul)}
+    visible = [product for product in products if not _becomes_number(product)]
+    factors = {factor for product in visible for factor in product.args}
+    masses = [latex(mass) for mass in (m, m_prime) if numbers.exact[mass] == 1 and mass in factors]
+    if not masses:
+        return ""
+    return _("Because {masses}, this factor is not written.").format(masses=rf"${'='.join(masses)}=1\,\mathrm{{kg}}$")
 
 
 def _simplify_root(number: sp.Expr) -> sp.Expr:

@@ -16,16 +16,13 @@ from sympy.printing.latex import translate as translate_name
 
 from ramanujan.derivation import model
 from ramanujan.derivation.order import InOrder, Product, is_coefficient, is_motion, order_terms, to_product
-from ramanujan.numerals import in_latex
-from ramanujan.translation import pgettext
+from ramanujan.text.names import BODIES
+from ramanujan.text.numerals import in_latex
+from ramanujan.text.translation import pgettext
 
 # TRANSLATORS: what a symbol belongs to, in small letters below it, as in v with the subscript hoop; very short.
 _SUBSCRIPTS = {
-    "block": pgettext("subscript", "block"),
-    "hoop": pgettext("subscript", "hoop"),
-    "cylinder": pgettext("subscript", "cylinder"),
-    "slab": pgettext("subscript", "slab"),
-    "top": pgettext("subscript", "top"),
+    **{body: names.subscript for body, names in BODIES.items()},
     "body": pgettext("subscript", "body"),
     "clamped": pgettext("subscript", "clamped"),
 }
@@ -77,7 +74,7 @@ class LatexPrinter(VectorLatexPrinter):
 
     def _print_Add(self, expr: sp.Add, order: str | None = None) -> str:
         if isinstance(expr, InOrder) or not expr.is_number:
-            return join_terms([self._print(term) for term in order_terms(expr)])
+            return "".join(add_signs([self._print(term) for term in order_terms(expr)]))
         if to_quadratic(expr) is None:
             return super()._print_Add(expr, order)
         return self._write_product(Product(expr, (), ()))
@@ -178,11 +175,6 @@ def latex(expression: sp.Basic) -> str:
     "m'\\\\,\\\\ddot{X}"
     """
     return LatexPrinter({}).doprint(expression)
-
-
-def join_terms(texts: Sequence[str]) -> str:
-    """Return a sum from the LaTeX of its terms."""
-    return "".join(add_signs(texts))
 
 
 def add_signs(texts: Sequence[str]) -> list[str]:

@@ -7,14 +7,15 @@ from collections import UserDict
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field, replace
 from functools import cache
+from threading import RLock
 from typing import Any
 
 import sympy as sp
 
 from ramanujan.derivation.model import Machine, m, machine
-from ramanujan.derivation.numbers import Numbers
+from ramanujan.derivation.numbers import Numbers, state_factor_one
 from ramanujan.derivation.printers import latex
-from ramanujan.translation import _
+from ramanujan.text.translation import _
 
 
 @dataclass(frozen=True)
@@ -45,8 +46,15 @@ class Step:
     underlined_terms: tuple[str, ...] = ()
 
     def for_numbers(self, numbers: Numbers | None) -> "Step":
-        """Return the variant of the step for the numbers of a machine, still in symbols, or the step itself."""
-        return self.variant(numbers) if numbers and self.variant else self
+        """Return the variant of the step for the numbers of a machine, still in symbols, or the step itself.
+
+        Its reason mentions a mass of 1 kg that is not written as a factor.
+        """
+        if not numbers:
+            return self
+        adapted = self.variant(numbers) if self.variant else self
+        note = state_factor_one(numbers, adapted.equations)
+        return replace(adapted, reason=f"{adapted.reason} {note}") if note else adapted
 
     def _repr_markdown_(self) -> str:
         """Return the step as Markdown for a notebook."""
@@ -118,7 +126,12 @@ class Route:
 
 
 class Routes(UserDict[str, Any]):
-    """Routes by name, in the order in which they were added; each is derived at its first use, and cached."""
+    """Routes by name, in the order in which they were added; each is derived at its first use, and cached.
+
+    Simultaneous first visitors wait for one derivation, which takes SymPy about a second.
+    """
+
+    _one_at_a_time = RLock()
 
     def add(self, name: str) -> Callable[[Callable[[Machine], Route]], Callable[[Machine], Route]]:
         """Return a decorator that adds a function, machine → route, under this name."""
@@ -130,11 +143,13 @@ class Routes(UserDict[str, Any]):
         return register
 
     def __getitem__(self, name: str) -> Route:
-        return self.data[name](machine())
+        with self._one_at_a_time:
+            return self.data[name](machine())
 
     def with_equal_masses(self, name: str) -> Route:
         """Return the route for m′ = m, the first case of the paper."""
-        route = self.data[name](machine(roller_mass=m))
+        with self._one_at_a_time:
+            route = self.data[name](machine(roller_mass=m))
         return replace(route, title=_("{route}, equal masses").format(route=route.title))
 
 

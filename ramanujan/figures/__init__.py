@@ -15,8 +15,8 @@ from typing import Any
 import numpy as np
 from plotly.basedatatypes import BaseFigure
 
-from ramanujan.numerals import DECIMAL, THIN
-from ramanujan.translation import _
+from ramanujan.text.numerals import DECIMAL, THIN
+from ramanujan.text.translation import _
 
 MASS_RATIO = _("mass ratio <i>ε</i> = <i>m</i>′/<i>m</i>")
 NORMALIZED = "Ω²<i>m</i>/<i>k</i>"
@@ -103,17 +103,16 @@ class EncodedFigure(BaseFigure):
         return f"EncodedFigure({len(self._sent['data'])} traces)"
 
 
-def legend(bottom: float = 1.02, orientation: str = "h") -> dict[str, Any]:
-    """Return the layout of a legend above the panels.
+def legend(bottom: float = 1.02) -> dict[str, Any]:
+    """Return the layout of a legend in rows above the panels.
 
     Parameters
     ----------
     bottom : its lower edge, in fractions of the plotting area
-    orientation : "h" for rows; "v" for a column, in which long names cannot overlap after the window was resized
     """
     return {
         "showlegend": True,
-        "legend": {"orientation": orientation, "x": 0, "y": bottom, "yanchor": "bottom", "tracegroupgap": 0},
+        "legend": {"orientation": "h", "x": 0, "y": bottom, "yanchor": "bottom", "tracegroupgap": 0},
     }
 
 
@@ -139,14 +138,6 @@ def marks(x: Any, y: Any, symbol: str, size: float, fill: str, **outline: Any) -
     """Return a trace of marks at points; color and width are properties of their outlines."""
     marker = {"symbol": symbol, "size": size, "color": fill} | ({"line": outline} if outline else {})
     return {"type": "scatter", "x": x, "y": y, "mode": "markers", "marker": marker}
-
-
-def horizontal_bars(
-    lengths: Iterable[float], places: Iterable[Any], words: Iterable[Any], marker: Mapping[str, Any]
-) -> dict[str, Any]:
-    """Return a trace of horizontal bars, each with a label at its end."""
-    bars = {"type": "bar", "orientation": "h", "x": list(lengths), "y": list(places), "marker": marker}
-    return bars | {"text": list(words), "textposition": "outside", "constraintext": "none", "cliponaxis": False}
 
 
 _HEIGHT_BEFORE_GROWTH = 400
@@ -186,7 +177,7 @@ def enlarge_letters(figure: BaseFigure) -> EncodedFigure:
     has_note_above = any(note.get("yref") == "paper" and note["y"] == 1 for note in notes)
     legend_names = {trace["name"] for trace in sent["data"] if trace.get("name") and trace.get("showlegend", True)}
     if "legend" in layout:
-        is_column = len(legend_names) > _NAMES_IN_ROW or layout["legend"].get("orientation") == "v"
+        is_column = len(legend_names) > _NAMES_IN_ROW
         place = {"orientation": "v", "tracegroupgap": 0, "maxheight": 1000} if is_column else layout["legend"]
         layout["legend"] = {**place, "font": {"size": _LETTER_SIZE}}
     margin_above = _MARGIN_WITH_WORDS if has_note_above else _MARGIN_ABOVE

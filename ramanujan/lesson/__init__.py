@@ -1,22 +1,21 @@
 """The lesson: one path through the machine in 45 minutes, and tasks with computed verdicts, without Streamlit.
 
     stop        the parts of a stop: machine, question, options, computed answer, explanation
-    clocks, bodies, modes, ratio, computing   the stops, in the order of the lesson
+    clocks, directions, modes, ratio, computing   the stops, in the order of the lesson
     task        the parts of a task: a student's attempt and the verdict on it
     machine_tasks, answer_tasks   the tasks that need only the machine, and those with a typed or chosen answer
-    classes     the votes of a class, with its codes (class_codes), states (class_states) and file (class_record)
 
 >>> from ramanujan import lesson
 >>> lesson.find_stop("stiffness").answer()
 'same'
 """
 
-from ramanujan.lesson import answer_tasks, bodies, clocks, computing, machine_tasks, modes, ratio
+from ramanujan.lesson import answer_tasks, clocks, computing, directions, machine_tasks, modes, ratio
 from ramanujan.lesson.stop import Run, Stop
 from ramanujan.lesson.task import Attempt, Task, TaskVerdict
-from ramanujan.translation import _
+from ramanujan.text.translation import _
 
-CHAPTERS = (clocks.STOPS, bodies.STOPS, modes.STOPS, ratio.STOPS, computing.STOPS)
+CHAPTERS = (clocks.STOPS, directions.STOPS, modes.STOPS, ratio.STOPS, computing.STOPS)
 """The stops by subject. Stops of one chapter answer each other, so a worksheet has at most one of each."""
 
 STOPS: tuple[Stop, ...] = tuple(stop for chapter in CHAPTERS for stop in chapter)
@@ -46,11 +45,6 @@ INTRODUCTION = _(
 def find_stop(name: str) -> Stop:
     """Return the stop with this id."""
     return {stop.id: stop for stop in STOPS}[name]
-
-
-def has_stop(name: str) -> bool:
-    """Return whether this version of the app has a stop with this id."""
-    return any(stop.id == name for stop in STOPS)
 
 
 def find_task(name: str) -> Task:

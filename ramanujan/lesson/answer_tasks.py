@@ -1,19 +1,17 @@
 """Tasks with an answer to type or to choose: a time, a measurement, a formula, a method, three bodies."""
 
-from functools import cache
-
-from ramanujan.accuracy.work_precision import WorkPrecision, find_cheapest_runs, work_precision
+from ramanujan.accuracy.work_precision import PERIODS, diagram_curve, find_cheapest_runs
 from ramanujan.answers import judge as judge_formula
-from ramanujan.energy import energies
-from ramanujan.integrators import METHODS
 from ramanujan.lesson.stop import FREQUENCY, state_after
 from ramanujan.lesson.task import Attempt, Task, TaskVerdict, compare_with_goal, miss_goal
 from ramanujan.number_theory import BodyChoice, machines, sums_of_two_cubes
-from ramanujan.numerals import filled, number
-from ramanujan.translation import _
+from ramanujan.physics.energy import energies
+from ramanujan.physics.integrators import METHODS
+from ramanujan.text.numerals import filled, number
+from ramanujan.text.translation import _
 
-WITHIN, PERIODS = 0.01, 30
-"""The race of the integrators: the largest allowed phase error [turns], and the length of the run."""
+WITHIN = 0.01
+"""The largest allowed error of an integrator [turns]."""
 HALF_TOLERANCE = 0.005
 NEGLIGIBLE = 1e-6
 """A share of the energy below this limit cannot be drawn, so the sentence treats it as zero."""
@@ -66,38 +64,25 @@ def judge_exact_ratio(attempt: Attempt) -> TaskVerdict:
     return TaskVerdict(verdict.kind in ("right", "unsimplified"), verdict.message)
 
 
-@cache
-def run_integrator(method: str, steps: int) -> WorkPrecision:
-    """Return the phase error and the number of evaluations of a method with a number of steps per period."""
-    return work_precision(method, periods=PERIODS, steps_per_period=[steps], error_kind="phase")
-
-
-@cache
-def run_all_integrators() -> tuple[WorkPrecision, ...]:
-    """Return the phase errors and evaluations of every method at every number of steps; takes some seconds."""
-    return tuple(work_precision(method, periods=PERIODS, error_kind="phase") for method in METHODS)
-
-
 def judge_cheapest(attempt: Attempt) -> TaskVerdict:
     """Judge a method and its number of steps: the error first, then the cost."""
-    chosen = run_integrator(attempt.method, attempt.steps)
-    error, cost = chosen.error.item(), chosen.evaluations.item()
-    if error > WITHIN:
+    run = diagram_curve(attempt.method).select(attempt.steps)
+    if run.error > WITHIN:
         return miss_goal(
             _(
                 "The computed machine is up to {error:2↑} of a turn away from the exact one. At most {goal:1↑} is "
                 "allowed."
             ),
-            error=error,
+            error=run.error,
             goal=WITHIN,
         )
     sentences = (
         _("It stays within {error:2↑} of a turn. No method here needs fewer than {cost} evaluations of the force."),
         _("It stays within {error:2↑} of a turn. But {cost} evaluations are {times:3} times as many as necessary."),
     )
-    best, *_others = find_cheapest_runs(run_all_integrators(), WITHIN)
-    fewest = best.evaluations
-    return compare_with_goal(cost - fewest, 0, sentences, error=error, cost=cost, times=cost / fewest)
+    best, *_others = find_cheapest_runs(map(diagram_curve, METHODS), WITHIN)
+    cost, fewest = run.evaluations, best.evaluations
+    return compare_with_goal(cost - fewest, 0, sentences, error=run.error, cost=cost, times=cost / fewest)
 
 
 def judge_two_cubes(attempt: Attempt) -> TaskVerdict:
@@ -194,7 +179,7 @@ TASKS = (
         ),
         hints=(
             filled(
-                _("Of all {machines} choices, {cubes:alone} have this property, the paper’s included."),
+                _("Of all {machines} choices, {cubes} have this property, the paper’s included."),
                 machines=len(machines()),
                 cubes=sum(bool(machine.cubes) for machine in machines()),
             ),

@@ -1,12 +1,12 @@
-"""Stops 1 to 5: the machine's clock beside that of a plain mass m on the same spring."""
+"""Stops 1 to 5: the machine's clock hand beside that of a plain mass m on the same spring."""
 
 import math
 
-from ramanujan.energy import energies
 from ramanujan.lesson.stop import EQUAL, Onward, Run, Stop, choose_by_sign, state_after
-from ramanujan.numerals import filled
-from ramanujan.oscillator import Oscillator
-from ramanujan.translation import _
+from ramanujan.physics.energy import energies
+from ramanujan.physics.oscillator import Oscillator
+from ramanujan.text.numerals import filled
+from ramanujan.text.translation import _
 
 LIGHT = Oscillator(m=1.0, m_prime=0.1, k=10.0)
 HEAVY = Oscillator(m=1.0, m_prime=5.0, k=10.0)
@@ -46,7 +46,7 @@ def _compare_stiffer() -> str:
 STOPS = (
     Stop(
         id="two-clocks",
-        heading=_("Two clocks"),
+        heading=_("Two hands of one clock"),
         question=_(
             "The machine has five bodies of {machine.m:1 kg} each and one spring. A plain mass of {machine.m:1 kg} "
             "moves on an equal spring. Both are released at the same moment. Each has a clock hand that makes one full "
@@ -64,12 +64,12 @@ STOPS = (
                 "Which bodies move in opposite directions?"
             ),
             "behind": _(
-                "Then the spring would feel more than {machine.m:1 kg}, but it feels {shown.effective_mass:3 kg}. How "
-                "fast would two bodies of {machine.m:1 kg} oscillate with the spring between them?"
+                "Then the machine’s hand would make less than one turn in each period of the plain mass. It makes "
+                "{turn:4} turns. How fast would two bodies of {machine.m:1 kg} oscillate with the spring between them?"
             ),
             "together": _(
-                "Then Ω²m/k would be 1. It is {shown.normalized_frequency_squared:4}, and the small difference adds up "
-                "from period to period. After how many periods is it a full turn?"
+                "Then the hands would never part. But in each period of the plain mass the machine’s hand makes "
+                "{turn:4} turns, and the small difference adds up. After how many periods is it a full turn?"
             ),
         },
         answer=_compare_with_plain_mass,
@@ -79,7 +79,11 @@ STOPS = (
             "slab move in opposite directions. The centres of the lower rollers hardly move at all."
         ),
         question_numbers={"total": _TOTAL, "ratio": _TOTAL / EQUAL.m},
-        answer_numbers=lambda: {"turns": turns_ahead(EQUAL), "slow": _PERIODS * (1 - math.sqrt(EQUAL.m / _TOTAL))},
+        answer_numbers=lambda: {
+            "turns": turns_ahead(EQUAL),
+            "turn": 1 + turns_ahead(EQUAL) / _PERIODS,
+            "slow": _PERIODS * (1 - math.sqrt(EQUAL.m / _TOTAL)),
+        },
         hints=(
             _(
                 "Suppose the spring had to move all five bodies as one. The period would then be √{ratio:1} times as "
@@ -96,7 +100,7 @@ STOPS = (
         minutes=4,
         shows_dials=True,
         periods=_PERIODS,
-        onward=Onward(_("See the two clocks on the page Oscillator")),
+        onward=Onward(_("See the two hands on the page Oscillator")),
     ),
     Stop(
         id="light-rollers",
@@ -120,9 +124,10 @@ STOPS = (
             LIGHT.natural_frequency_squared - EQUAL.natural_frequency_squared, "falls", "same", "rises"
         ),
         why=_(
-            "Ω²m/k rises from {equal.normalized_frequency_squared:4} to {shown.normalized_frequency_squared:4}. The "
-            "lower rollers hardly travel, but they spin. With equal masses their spin holds {spin:2 %} of the kinetic "
-            "energy. With light rollers it holds only {light_spin:2 %}, so the spring has less to set in motion."
+            "Divide the machine’s frequency by that of the plain mass and square it: this is Ω²m/k. It rises from "
+            "{equal.normalized_frequency_squared:4} to {shown.normalized_frequency_squared:4}. The lower rollers "
+            "hardly travel, but they spin. With equal masses their spin holds {spin:2 %} of the kinetic energy. With "
+            "light rollers it holds only {light_spin:2 %}, so the spring has less to set in motion."
         ),
         answer_numbers=lambda: {"spin": rotation_share(EQUAL), "light_spin": rotation_share(LIGHT)},
         hints=(_("What does a roller do besides moving from place to place?"),),

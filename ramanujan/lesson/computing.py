@@ -8,11 +8,11 @@ import numpy as np
 
 from ramanujan.accuracy.extremes import FORMS
 from ramanujan.accuracy.runs import History, error_history
-from ramanujan.integrators import METHODS
 from ramanujan.lesson.stop import EQUAL, Onward, Run, Stop
-from ramanujan.numerals import power_of_ten, unbroken
-from ramanujan.oscillator import Oscillator
-from ramanujan.translation import _
+from ramanujan.physics.integrators import METHODS
+from ramanujan.physics.oscillator import Oscillator
+from ramanujan.text.numerals import power_of_ten, unbroken
+from ramanujan.text.translation import _
 
 COMPRESSION = 0.04
 PERIODS = 20
@@ -186,6 +186,6 @@ STOPS = (
         runs=(Run(_DRAWN, label=_LABEL),),
         exhibit=f"```js\n{program_text()}\n```",
         outcome=f"```js\n{program_text()}\n// {printed_output()}\n```",
-        onward=Onward(_("See where each formula fails on the page Speed and accuracy"), "speed"),
+        onward=Onward(_("See where each formula fails on the page Speed and accuracy"), "speed", {"topic": "limits"}),
     ),
 )

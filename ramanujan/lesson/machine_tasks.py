@@ -5,17 +5,19 @@ from fractions import Fraction
 
 import numpy as np
 
-from ramanujan.contact import first_to_slip, largest_compression
-from ramanujan.frequency import UNIT_MASS_RATIO, mass_ratio_for
 from ramanujan.lesson.stop import FREQUENCY, state_after
 from ramanujan.lesson.task import Attempt, Task, TaskVerdict, compare_with_goal, miss_goal
-from ramanujan.motion import ground_positions, ground_velocities, motion, with_initial_velocities
-from ramanujan.numerals import filled, number
-from ramanujan.oscillator import drawn_spacing
-from ramanujan.translation import _
+from ramanujan.physics.contact import first_to_slip, largest_compression
+from ramanujan.physics.frequency import UNIT_MASS_RATIO, mass_ratio_for
+from ramanujan.physics.motion import ground_positions, ground_velocities, motion, with_initial_velocities
+from ramanujan.physics.oscillator import drawn_spacing
+from ramanujan.text.names import CONTACTS
+from ramanujan.text.numerals import filled, number
+from ramanujan.text.translation import _
 
 # The goals of the tasks and their tolerances.
 IN_STEP_TOLERANCE = 1e-3
+BY_EAR_TOLERANCE = 0.02
 NINE_EIGHTHS = 9 / 8
 EXACTLY, NEARLY = 1e-9, 1e-3
 _FRACTION = Fraction(float(mass_ratio_for(NINE_EIGHTHS))).limit_denominator(1000)
@@ -28,10 +30,6 @@ MOVING, RESTING = 0.01, 1e-6
 """A block counts as moving from 1 cm/s; a body counts as resting if it moves by at most a micrometre."""
 _CM = 100.0
 _JUDGED_PERIODS = 20
-_CONTACTS = {
-    "hoop_slab": _("With this x₀ the hoop slips on the slab. x₀ is too large by {off:2 cm}."),
-    "top_block": _("With this x₀ the top cylinder slips on the block. x₀ is too large by {off:2 cm}."),
-}
 
 
 def judge_in_step(attempt: Attempt) -> TaskVerdict:
@@ -43,6 +41,15 @@ def judge_in_step(attempt: Attempt) -> TaskVerdict:
         _("Ω²m/k = {value:5}. The machine is too slow by {off}; the goal is {goal:1}."),
     )
     return compare_with_goal(value - 1, IN_STEP_TOLERANCE, sentences, value=value, goal=IN_STEP_TOLERANCE)
+
+
+def judge_by_ear(attempt: Attempt) -> TaskVerdict:
+    """Judge |ε/ε* − 1|. The sentence on a miss gives no number, because the ear is to find the way."""
+    off = attempt.machine.mass_ratio / UNIT_MASS_RATIO - 1
+    if abs(off) > BY_EAR_TOLERANCE:
+        return miss_goal(_("Press Listen, and change m′ until the beats become slower and stop."))
+    sentence = _("ε is {off:2 %} away from the mass ratio in step. You have tuned the machine by ear.")
+    return TaskVerdict(is_done=True, sentence=filled(sentence, off=abs(off)))
 
 
 def judge_nine_eighths(attempt: Attempt) -> TaskVerdict:
@@ -110,7 +117,12 @@ def judge_no_slip(attempt: Attempt) -> TaskVerdict:
     spacing = drawn_spacing(machine.radius)
     room = largest_compression(machine, FRICTION, spacing=spacing) - attempt.compression
     if room < 0:
-        return miss_goal(_CONTACTS[first_to_slip(machine, attempt.compression, spacing)], off=-_CM * room)
+        contact = CONTACTS[first_to_slip(machine, attempt.compression, spacing)]
+        return miss_goal(
+            _("With this x₀ the contact {between} slips. x₀ is too large by {off:2 cm}."),
+            between=contact.between,
+            off=-_CM * room,
+        )
     sentences = (
         _("Every contact rolls, and with {off} more the first one would slip."),
         _("Every contact rolls, but x₀ could be larger by {off}."),
@@ -152,6 +164,18 @@ TASKS = (
             ),
         ),
         judge=judge_in_step,
+    ),
+    Task(
+        id="by-ear",
+        heading=_("Tune it by ear"),
+        text=_("Can you find the mass m′ in step by its tones alone, to two percent? Numbers and hands are hidden."),
+        hints=(
+            _("Two tones of almost the same frequency beat: together they become loud and soft in turn."),
+            _("The nearer the two frequencies are, the slower the beats. If they become faster, go the other way."),
+            _("Between two directions in which the beats become faster there is a place where they stop."),
+        ),
+        judge=judge_by_ear,
+        hides=("hands", "numbers"),
     ),
     Task(
         id="nine-eighths",

@@ -4,23 +4,22 @@ from dataclasses import replace
 
 import numpy as np
 
-from ramanujan.contact import first_to_slip, normal_forces, required_friction
 from ramanujan.lesson.stop import COMPRESSION, EQUAL, FREQUENCY, Onward, Run, Stop
-from ramanujan.motion import InitialState, released
-from ramanujan.oscillator import Oscillator, drawn_spacing
-from ramanujan.translation import _
+from ramanujan.physics.contact import first_to_slip, normal_forces, required_friction
+from ramanujan.physics.motion import InitialState, released
+from ramanujan.physics.oscillator import Oscillator, drawn_spacing
+from ramanujan.text.names import CONTACTS
+from ramanujan.text.translation import _
 
 _SPEED = COMPRESSION / 2 / EQUAL.period
 """The speed of gliding and rolling [m/s], slow enough to watch."""
 _SPACING = drawn_spacing(EQUAL.radius)
-# TRANSLATORS: inside a sentence, after "the contact".
-_CONTACTS = {
-    "hoop_slab": _("between hoop and slab"),
-    "cylinder_slab": _("between lower cylinder and slab"),
-    "hoop_block": _("between hoop and block"),
-    "cylinder_block": _("between lower cylinder and block"),
-    "top_block": _("between top cylinder and block"),
-}
+
+
+def _write_option(contact: str) -> str:
+    """Return a contact as an option of the stop on friction."""
+    place = CONTACTS[contact].between
+    return f"{place[:1].upper()}{place[1:]}."
 
 
 def count_zero_modes(machine: Oscillator) -> int:
@@ -44,8 +43,8 @@ def _friction_numbers() -> dict[str, object]:
     first, second = sorted(needed, key=needed.__getitem__, reverse=True)[:2]
     loads = normal_forces(EQUAL, [0.0, released(EQUAL, COMPRESSION).phi, 0.0], spacing=_SPACING)
     return needed | {
-        "first": _CONTACTS[first],
-        "second": _CONTACTS[second],
+        "first": CONTACTS[first].between,
+        "second": CONTACTS[second].between,
         "most": needed[first],
         "next": needed[second],
         "load": float(loads["hoop_slab"] / (loads["hoop_slab"] + loads["cylinder_slab"])),
@@ -67,7 +66,7 @@ STOPS = (
         id="zero-modes",
         heading=_("Motion without oscillation"),
         question=_(
-            "You may push the machine in any way. In how many independent ways can it keep moving for ever without "
+            "Imagine that you push the machine. In how many independent ways can it then keep moving for ever without "
             "oscillating?"
         ),
         options=dict(none=_("In no way."), one=_("In one way."), two=_("In two ways."), three=_("In three ways.")),
@@ -82,7 +81,7 @@ STOPS = (
         why=_(
             "The machine has three coordinates, X, φ and Φ, and one spring. The spring resists only φ. In the first "
             "zero mode the whole machine glides. In the second one the top cylinder rolls freely. That makes "
-            "{count:word} zero modes beside one oscillating mode. To each zero mode belongs a conserved momentum."
+            "{count} zero modes beside one oscillating mode. To each zero mode belongs a conserved momentum."
         ),
         answer_numbers=lambda: {"count": count_zero_modes(EQUAL)},
         hints=(_("A motion oscillates only if it deforms the spring. Which motions leave the spring as it is?"),),
@@ -104,12 +103,9 @@ STOPS = (
             "stays frictionless, but the friction at all other contacts is made weaker and weaker. Where does the "
             "first slip happen?"
         ),
-        options=dict(
-            top_block=_("Between top cylinder and block."),
-            hoop_slab=_("Between hoop and slab."),
-            cylinder_block=_("Between lower cylinder and block."),
-            cylinder_slab=_("Between lower cylinder and slab."),
-        ),
+        options={
+            contact: _write_option(contact) for contact in ("top_block", "hoop_slab", "cylinder_block", "cylinder_slab")
+        },
         replies={
             "top_block": _(
                 "This contact needs only μ = {top_block:3}. It would slip first if ε were less than {light:2↓}. Why "

@@ -8,12 +8,12 @@ import sympy as sp
 from ramanujan import number_theory
 from ramanujan.derivation.numbers import unit_frequency_condition
 from ramanujan.derivation.printers import latex
-from ramanujan.frequency import UNIT_MASS_RATIO
 from ramanujan.lesson.stop import EQUAL, FREQUENCY, Onward, Run, Stop
 from ramanujan.number_theory import BodyChoice
-from ramanujan.numerals import filled, number, quantity, unbroken, with_unit
-from ramanujan.oscillator import Oscillator
-from ramanujan.translation import _
+from ramanujan.physics.frequency import UNIT_MASS_RATIO
+from ramanujan.physics.oscillator import Oscillator
+from ramanujan.text.numerals import filled, number, quantity, unbroken, with_unit
+from ramanujan.text.translation import _
 
 IN_STEP = Oscillator(m=1.0, m_prime=UNIT_MASS_RATIO, k=10.0)
 
@@ -167,10 +167,11 @@ def _compare_other_body() -> str:
 def _other_body_numbers() -> dict[str, object]:
     """Return the numbers of the machine with the other bodies, and the counts of all machines."""
     all_machines = number_theory.machines()
+    a, b, _c = OTHER.quadratic
     return {
         "number": OTHER.discriminant,
         "quadratic": _QUADRATIC_OF_OTHER,
-        "ratio": float(number_theory.positive_root_digits(*OTHER.quadratic, 10)),
+        "ratio": (math.sqrt(OTHER.discriminant) - b) / (2 * a),
         "machines": len(all_machines),
         "cubes": sum(bool(machine.cubes) for machine in all_machines),
     }
@@ -201,8 +202,8 @@ STOPS = (
         ),
         purpose=_("Bisection finds a number without a formula."),
         expect=_(
-            "Run the machine, then press “Change it with the sliders” at the desk. Let students call out values of m′ "
-            "and set them: machine and hands on the wall follow."
+            "Press “Run the machine”, then let students call out values of m′. Set them with the slider at the desk: "
+            "machine and hands on the wall follow."
         ),
         sliders=_("Set m′ so that both hands stay together."),
         is_in_short_lesson=True,
@@ -294,7 +295,7 @@ STOPS = (
             "second": unbroken("{}³ + {}³".format(*_SUMS[1])),
             "pairs": _SUMS,
             "terms": [x**3 for x in _SUMS[1]],
-            "norm": number_theory.norm_coordinates(),
+            "norm": (41, 4),
             "square": B * B,
             "product": -4 * A * C,
         },
@@ -335,7 +336,7 @@ STOPS = (
         why=_(
             "With a solid sphere on top the number under the root is {number}. The machine is then in step at ε = "
             "{ratio:4}. The top body is not idle: friction makes it turn, and its moment of inertia counts. Of all "
-            "{machines} choices of bodies, only {cubes:alone} lead to a sum of two positive cubes."
+            "{machines} choices of bodies, only {cubes} lead to a sum of two positive cubes."
         ),
         answer_numbers=_other_body_numbers,
         hints=(_("What turns the top body when the block moves under it?"),),

@@ -17,10 +17,10 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from ramanujan.motion import InitialState, motion, released
-from ramanujan.numerals import filled
-from ramanujan.oscillator import Oscillator
-from ramanujan.translation import _
+from ramanujan.physics.motion import InitialState, motion, released
+from ramanujan.physics.oscillator import Oscillator
+from ramanujan.text.numerals import filled
+from ramanujan.text.translation import _
 
 FREQUENCY = ("clocks", "numbers")
 """The parts of the stage that reveal the frequency."""
@@ -96,7 +96,7 @@ class Stop:
     runs : the machines; only the first is visible before the prediction
     hides : parts of the stage that would reveal the answer, names of `stage.PARTS`
     layers : optional layers of the stage after the prediction
-    shows_dials : whether the stage shows its clocks, and after the prediction its gauge
+    shows_dials : whether the stage shows its clocks, and after the prediction the drift
     periods : number of periods of the plain mass to which a button sets both clocks after the answer
     exhibit : Markdown above the machine, such as a program
     outcome : the exhibit after the prediction, with the observation, such as the output of the program

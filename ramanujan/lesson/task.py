@@ -4,8 +4,8 @@ from collections.abc import Callable
 from dataclasses import dataclass, field
 
 from ramanujan.lesson.stop import COMPRESSION
-from ramanujan.numerals import distinct_from, filled, with_unit
-from ramanujan.oscillator import Oscillator
+from ramanujan.physics.oscillator import Oscillator
+from ramanujan.text.numerals import distinct_from, filled, with_unit
 
 
 @dataclass(frozen=True)

@@ -20,9 +20,9 @@ from ramanujan.derivation.printers import latex
 from ramanujan.derivation.steps import Step
 from ramanujan.lesson import CHAPTERS, Stop
 from ramanujan.number_theory import BodyChoice
-from ramanujan.numerals import in_latex, number, quantity
-from ramanujan.oscillator import Oscillator
-from ramanujan.translation import _
+from ramanujan.physics.oscillator import Oscillator
+from ramanujan.text.numerals import in_latex, number, quantity
+from ramanujan.text.translation import _
 
 _TARGETS = tuple(Fraction(p, q) for p, q in ((1, 2), (2, 3), (3, 4), (4, 5), (9, 8), (5, 4), (4, 3), (3, 2)))
 _STOPS = 4
@@ -184,7 +184,10 @@ def _make_calculations(machine: Oscillator, target: Fraction) -> tuple[Worksheet
             space=4,
         ),
         WorksheetQuestion(
-            _("Is the machine faster or slower than the plain mass? After how many periods are they one turn apart?"),
+            _(
+                "Is the machine faster or slower than the plain mass? After how many periods do they differ by one "
+                "full oscillation?"
+            ),
             _answer_faster_or_slower(normalized),
             working=(f"\\frac{{\\Omega}}{{\\sqrt{{k/m}}}}=\\sqrt{{{latex(normalized)}}}",),
             space=4,
@@ -213,17 +216,19 @@ def _make_target_question(target: Fraction) -> WorksheetQuestion:
 
 
 def _answer_faster_or_slower(normalized: sp.Expr) -> str:
-    """Return the answer to the question which of the two is faster, and when they are one full turn apart."""
+    """Return the answer to the question which of the two is faster, and when they differ by one full oscillation."""
     if normalized == 1:
         return _("Neither: the two are in step for ever.")
     # Subtract before rounding: close to the mass ratio in step, the float of Ω√(m/k) is exactly 1.
     gained = float(sp.N(sp.sqrt(normalized) - 1, 20))
     if gained > 0:
         sentence = _(
-            "Faster: $\\Omega>\\sqrt{{k/m}}$. They are one full turn apart after {periods} periods of the plain mass."
+            "Faster: $\\Omega>\\sqrt{{k/m}}$. They differ by one full oscillation after {periods} periods of the plain "
+            "mass."
         )
     else:
         sentence = _(
-            "Slower: $\\Omega<\\sqrt{{k/m}}$. They are one full turn apart after {periods} periods of the plain mass."
+            "Slower: $\\Omega<\\sqrt{{k/m}}$. They differ by one full oscillation after {periods} periods of the plain "
+            "mass."
         )
     return sentence.format(periods=number(1 / abs(gained), 3))

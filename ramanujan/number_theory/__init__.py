@@ -1,6 +1,6 @@
-"""The exact number theory behind 1729: all arguments and results are integers, `Fraction`s or decimal text.
+"""The exact number theory behind 1729: all arguments and results are integers or `Fraction`s.
 
-    integers   factors, fields, sums of two cubes, x² + 3y², digits and continued fraction of a positive root
+    integers   factors, fields, sums of two cubes
     bodies     rolling bodies → the quadratic for the mass ratio ε = m′/m at which Ω²m/k = w; the 40 machines
 
 For the paper's machine (hoop and cylinder below, cylinder on top) and w = 1 the quadratic is 18ε² + ε − 24 = 0, of
@@ -11,19 +11,13 @@ from ramanujan.number_theory.bodies import (
     BODIES,
     BodyChoice,
     machines,
-    norm_coordinates,
     normalized_frequency_squared_exact,
-    one_change_away,
     unit_quadratic,
 )
 from ramanujan.number_theory.integers import (
-    continued_fraction,
-    convergents,
     discriminant,
     factorization,
     field_discriminant,
-    positive_root_digits,
-    represent_x2_plus_3y2,
     smallest_taxicab,
     squarefree_part,
     sums_of_two_cubes,

@@ -6,7 +6,7 @@ import reprlib
 from fractions import Fraction
 from numbers import Integral, Rational
 
-from ramanujan.numerals import number
+from ramanujan.text.numerals import number
 
 
 def integer(name: str, value: object, low: int, high: int) -> int:

@@ -15,7 +15,6 @@ the positive root of
 
 from __future__ import annotations
 
-from collections import Counter
 from dataclasses import dataclass
 from fractions import Fraction
 from functools import cached_property
@@ -35,7 +34,7 @@ LARGEST_PART = 10**6
 """The largest numerator and denominator of a shape factor or a target. Coefficients are then below 1e26."""
 
 LARGEST_RATIO_PART = 10**1000
-"""The largest numerator and denominator of a mass ratio. The app's convergents, which are mass ratios, are smaller."""
+"""The largest numerator and denominator of a mass ratio. Those of a ratio of two floats are smaller."""
 
 ShapeFactor = str | int | Fraction
 
@@ -171,36 +170,6 @@ class BodyChoice:
         return tuple(integers.sums_of_two_cubes(self.discriminant))
 
 
-def norm_coordinates(target: int | Fraction = 1) -> tuple[int, int]:
-    """Return integers x and y such that x² + 3y² is the discriminant of the paper's machine, times a square.
-
-    For Ω²m/k = p/q the quadratic is 18p ε² + (49p − 48q) ε − (56q − 32p) = 0. Its discriminant is
-
-        g²D = (49p − 48q)² + 4·18p·(56q − 32p) = x² + 3y²   with   x = 48q − 7p,   y = 4p
-
-    Here g is the common factor of the coefficients, and D the discriminant after the division by g, as in `BodyChoice`.
-
-    Parameters
-    ----------
-    target : w = p/q, dimensionless, strictly between 0 and 7/4
-
-    Returns
-    -------
-    the integers (x, y)
-
-    Raises
-    ------
-    ValueError : the target is not an exact number in that range.
-
-    Source: `unit_quadratic` for s = 3/2, γ = 1/3.
-
-    >>> norm_coordinates()
-    (41, 4)
-    """
-    w = BodyChoice(target=target).target
-    return 48 * w.denominator - 7 * w.numerator, 4 * w.numerator
-
-
 def machines() -> list[BodyChoice]:
     """Return all 40 machines: each unordered pair of lower rollers with each top body, in the order of BODIES.
 
@@ -209,16 +178,6 @@ def machines() -> list[BodyChoice]:
     """
     pairs = combinations_with_replacement(BODIES, 2)
     return [BodyChoice(left, right, top) for left, right in pairs for top in BODIES]
-
-
-def one_change_away() -> list[BodyChoice]:
-    """Return the nine machines that differ from the paper's machine in exactly one body, in the order of `machines`.
-
-    >>> len(one_change_away())
-    9
-    """
-    paper = BodyChoice()
-    return [machine for machine in machines() if _count_changed_bodies(machine, paper) == 1]
 
 
 def _inertia_coefficients(beta_a: ShapeFactor, beta_b: ShapeFactor, beta_c: ShapeFactor) -> tuple[Fraction, Fraction]:
@@ -250,9 +209,3 @@ def _make_coprime(*coefficients: Fraction) -> integers.Quadratic:
     a, b, c = (int(x * denominator) for x in coefficients)
     divisor = gcd(a, b, c)
     return a // divisor, b // divisor, c // divisor
-
-
-def _count_changed_bodies(machine: BodyChoice, paper: BodyChoice) -> int:
-    """Return how many bodies differ from those of the paper; the order of the lower rollers does not matter."""
-    changed_rollers = Counter([machine.left, machine.right]) - Counter([paper.left, paper.right])
-    return changed_rollers.total() + (machine.top != paper.top)

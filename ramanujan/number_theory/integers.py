@@ -1,37 +1,23 @@
-"""Integers and quadratics with integer coefficients: factors, sums of cubes, and the exact digits of a root.
+"""Integers and quadratics with integer coefficients: factors, discriminants, and sums of cubes.
 
-All arguments and results are integers, `Fraction`s or decimal text; this module does not depend on the machine.
-
-A quadratic aε² + bε + c with a > 0 > c has exactly one positive root, ε = (√D − b)/(2a) with D = b² − 4ac. Its digits
-and its continued fraction follow from the integer square root of D.
+All arguments and results are integers; this module does not depend on the machine.
 """
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-from fractions import Fraction
 from functools import cache
 from itertools import count
-from math import isqrt, prod
+from math import prod
 
 from sympy.ntheory import factorint
 
 from ramanujan.number_theory.arguments import integer
 
 LARGEST_NUMBER = 10**12
-"""The largest number to factor or to write as a sum of cubes or squares; each search takes less than half a second."""
+"""The largest number to factor or to write as a sum of cubes; each search takes less than half a second."""
 
 LARGEST_COEFFICIENT = 10**30
 """The largest absolute value of a coefficient."""
-
-MOST_DIGITS = 1000
-"""The largest number of decimal digits of a root."""
-
-MOST_TERMS = 100
-"""The largest number of terms of a continued fraction."""
-
-_LARGEST_QUOTIENT = 10**31
-"""An upper bound of the partial quotients. None exceeds √D, and the coefficients are at most LARGEST_COEFFICIENT."""
 
 _CUBE_ROOTS = {root**3: root for root in range(1, 10**4 + 1)}
 """Cube → its root, for all cubes up to LARGEST_NUMBER."""
@@ -57,7 +43,10 @@ def discriminant(a: int, b: int, c: int) -> int:
     >>> discriminant(18, 1, -24)
     1729
     """
-    a, b, c = _check_coefficients(a, b, c)
+    bound = LARGEST_COEFFICIENT
+    a, b, c = (integer(name, value, -bound, bound) for name, value in (("a", a), ("b", b), ("c", c)))
+    if a == 0:
+        raise ValueError("a must not be 0 in a quadratic")
     return b * b - 4 * a * c
 
 
@@ -166,154 +155,6 @@ def smallest_taxicab() -> int:
     1729
     """
     return next(n for n in count(1) if len(sums_of_two_cubes(n)) == 2)
-
-
-def represent_x2_plus_3y2(n: int) -> list[tuple[int, int]]:
-    """Return all pairs of integers x, y ≥ 0 with x² + 3y² = n.
-
-    x² + 3y² is the norm of x + y√−3 in ℤ[√−3].
-
-    Parameters
-    ----------
-    n : an integer from 1 to LARGEST_NUMBER
-
-    Returns
-    -------
-    the pairs, sorted
-
-    Raises
-    ------
-    ValueError : n is not an integer in this range.
-
-    >>> (41, 4) in represent_x2_plus_3y2(1729)
-    True
-    """
-    n = _check_number(n)
-    candidates = ((isqrt(n - 3 * y * y), y) for y in range(isqrt(n // 3) + 1))
-    return sorted((x, y) for x, y in candidates if x * x + 3 * y * y == n)
-
-
-def positive_root_digits(a: int, b: int, c: int, digits: int) -> str:
-    """Return the positive root of aε² + bε + c = 0 as decimal text, cut off (not rounded) after the digits.
-
-        ⌊10ⁿε⌋ = ⌊(⌊√(10²ⁿD)⌋ − 10ⁿb) / (2a)⌋,   D = b² − 4ac
-
-    Parameters
-    ----------
-    a, b, c : integers with a > 0 > c, so that exactly one root is positive
-    digits : n, the number of digits after the decimal point, from 1 to 1000
-
-    Returns
-    -------
-    the digits, with a decimal point
-
-    Raises
-    ------
-    ValueError : a coefficient or the number of digits is invalid.
-
-    Source: integer square root; ⌊⌊x⌋/d⌋ = ⌊x/d⌋ for a positive integer d, here 2a.
-
-    >>> positive_root_digits(18, 1, -24, 10)
-    '1.1272568270'
-    """
-    a, b, c = _check_positive_root(a, b, c)
-    digits = integer("digits", digits, 1, MOST_DIGITS)
-    scale = 10**digits
-    scaled_root = (isqrt(discriminant(a, b, c) * scale**2) - b * scale) // (2 * a)
-    whole, decimals = divmod(scaled_root, scale)
-    return f"{whole}.{decimals:0{digits}d}"
-
-
-def continued_fraction(a: int, b: int, c: int, terms: int) -> list[int]:
-    """Return the first partial quotients of the positive root of aε² + bε + c = 0; a rational root may have fewer.
-
-    Each complete quotient is (P + √D)/Q with integers P and Q, where Q divides D − P². The quotient is positive and its
-    conjugate (P − √D)/Q negative. Their difference 2√D/Q is positive, so Q > 0. The integer part of the quotient is
-    therefore ⌊(P + ⌊√D⌋)/Q⌋.
-
-    Parameters
-    ----------
-    a, b, c : integers with a > 0 > c, so that exactly one root is positive
-    terms : the number of partial quotients, from 1 to 100
-
-    Returns
-    -------
-    the partial quotients
-
-    Raises
-    ------
-    ValueError : a coefficient or the number of terms is invalid.
-
-    Source: H. Davenport, The Higher Arithmetic, chapter IV.
-
-    >>> continued_fraction(18, 1, -24, 5)
-    [1, 7, 1, 6, 20]
-    """
-    a, b, c = _check_positive_root(a, b, c)
-    terms = integer("terms", terms, 1, MOST_TERMS)
-    radicand = discriminant(a, b, c)
-    root = isqrt(radicand)
-    P, Q = -b, 2 * a
-    quotients: list[int] = []
-    while Q and len(quotients) < terms:
-        quotient = (P + root) // Q
-        quotients.append(quotient)
-        P = quotient * Q - P
-        Q = (radicand - P * P) // Q
-    return quotients
-
-
-def convergents(quotients: Sequence[int]) -> list[Fraction]:
-    """Return the convergents of a continued fraction, one for each partial quotient.
-
-    Parameters
-    ----------
-    quotients : at most 100 positive integers; the first may be 0
-
-    Returns
-    -------
-    the fractions in lowest terms
-
-    Raises
-    ------
-    ValueError : the list is too long, or a quotient is invalid.
-
-    Source: H. Davenport, The Higher Arithmetic, chapter IV.
-
-    >>> convergents([1, 7, 1])
-    [Fraction(1, 1), Fraction(8, 7), Fraction(9, 8)]
-    """
-    if len(quotients) > MOST_TERMS:
-        raise ValueError(f"quotients must be a list of at most {MOST_TERMS} integers")
-    fractions: list[Fraction] = []
-    p_before, q_before = 0, 1
-    p, q = 1, 0
-    for position, value in enumerate(quotients):
-        smallest = 0 if position == 0 else 1
-        quotient = integer("quotients", value, smallest, _LARGEST_QUOTIENT)
-        p, p_before = quotient * p + p_before, p
-        q, q_before = quotient * q + q_before, q
-        fractions.append(Fraction(p, q))
-    return fractions
-
-
-def _check_positive_root(a: int, b: int, c: int) -> Quadratic:
-    """Return the coefficients; raise ValueError unless a > 0 > c."""
-    a, b, c = _check_coefficients(a, b, c)
-    if not a > 0 > c:
-        raise ValueError("a must be positive and c negative, so that exactly one root is positive")
-    return a, b, c
-
-
-def _check_coefficients(a: int, b: int, c: int) -> Quadratic:
-    """Return a, b, c; raise ValueError unless they are integers up to ±LARGEST_COEFFICIENT, and a ≠ 0."""
-    bound = LARGEST_COEFFICIENT
-    a = integer("a", a, -bound, bound)
-    b = integer("b", b, -bound, bound)
-    c = integer("c", c, -bound, bound)
-    if a == 0:
-        raise ValueError("a must not be 0 in a quadratic")
-    return a, b, c
 
 
 def _check_number(n: int) -> int:

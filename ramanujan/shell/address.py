@@ -1,8 +1,10 @@
 """The parameters of the app's URLs, which are validated before any widget is drawn.
 
-A page declares its own parameters as `URL_PARAMETERS`; `parameters` declares those of every page. `read_once` reads the
-address when a page is opened. It copies valid values to the session state, where widgets read them. It removes invalid
-values, with a message for each. `update` writes the values of widgets into the address. An option is written as its id.
+A page declares its own parameters in its `menu.Entry`, which adds those of every page. `read_once` reads
+the address when a page is opened. It copies valid values to the session state, where widgets read them. It removes
+invalid values with a message for each, and unknown parameters without a message: mail programs add their own.
+`update` writes the values of widgets into the address. An option is written as its id. Only the page writes the view of
+a stage (browser/page_address.js).
 
 Streamlit binds only the sliders of real numbers to the address, so that a drag does not wait for the server.
 Other bindings of Streamlit would write labels, and raise an error for an empty or infinite value.
@@ -20,13 +22,10 @@ from urllib.parse import SplitResult, urlencode, urlsplit
 import streamlit as st
 from streamlit.runtime.scriptrunner import get_script_run_ctx
 
-from ramanujan.translation import _
+from ramanujan.text.translation import _
 
-PRIVATE = ("lecturer", "key", "exercise_key", "frame")
-"""URL parameters that contain a lecturer's key, or identify a browser in a frame. *Copy link* omits them."""
-
-UNKNOWN = _("The address contains a setting that this page does not know. It was ignored.")
-"""Message about a parameter of no page."""
+PRIVATE = ("lecturer", "key", "frame")
+"""URL parameters that contain a lecturer's key, or belong to a frame. *Copy link* omits them."""
 
 _LOCAL_HOSTS = ("localhost", "127.0.0.1", "::1")
 _ALL_INTERFACES = (None, "", "0.0.0.0", "::")
@@ -36,14 +35,12 @@ _DISTANT_ADDRESS = ("198.51.100.1", 9)
 
 _LAST_PAGE = "address_page"
 """Session state: name of the page for which the address was last read."""
-_KNOWN = "address_met"
-"""Session state: URL parameter of a page opened in this session → whether Streamlit binds it."""
-_WARNED = "address_warned"
-"""Session state: whether the message `UNKNOWN` was shown."""
+_BOUND = "address_bound"
+"""Session state: names of the URL parameters that Streamlit binds, of all pages opened in this session."""
 _MOST_LISTED = 8
 """Largest number of options in a message."""
 _PUNCTUATION = " \t\n\u00a0\u202f.,;:!?…()[]{}<>«»‹›\"'`“”„‟‘’‚‛*|"
-"""Characters that surround a link in a sentence, and that a visitor may copy together with the link."""
+"""Characters that can follow a link in a sentence, and that a chat may include in the link."""
 
 
 class URLParameter(ABC):
@@ -60,25 +57,11 @@ class URLParameter(ABC):
     def read(self, text: str) -> Any:
         """Parse a text. Raise `ValueError` if it is invalid."""
 
-    def tidy(self, text: str) -> str:
-        """Remove surrounding punctuation, if the text is invalid with it and valid without it."""
-        if self._fits(text):
-            return text
-        stripped = strip_punctuation(text)
-        return stripped if self._fits(stripped) else text
-
-    def _fits(self, text: str) -> bool:
-        try:
-            self.read(text)
-        except ValueError:
-            return False
-        return True
-
     def write(self, value: Any) -> str:
         """Return the text of a value in the address."""
         return str(value)
 
-    def message(self) -> str:
+    def message(self, text: str = "") -> str:
         """Return the message for an invalid text."""
         return self.template.format(**vars(self))
 
@@ -128,7 +111,7 @@ class Choice(URLParameter):
             raise ValueError(self.name)
         return offered[text]
 
-    def message(self) -> str:
+    def message(self, text: str = "") -> str:
         """Return the message for an invalid text. It contains the options, or the first few of many."""
         texts = list(map(str, self.options))
         listed = ", ".join(texts[:_MOST_LISTED])
@@ -140,9 +123,13 @@ class Choice(URLParameter):
 
 @dataclass(frozen=True)
 class Several(Choice):
-    """Any number of options in any order, separated by commas."""
+    """Any number of options in any order, separated by commas.
+
+    Links of an earlier version can contain its options `gone`, which are ignored without a message.
+    """
 
     default: tuple[str, ...] = ()
+    gone: tuple[str, ...] = ()
     template = _(
         "The value of {name} in the address was ignored: it must be one or more of these, with commas between them: "
         "{options}."
@@ -152,6 +139,8 @@ class Several(Choice):
         """Return the options without repetitions. Raise `ValueError` if an option does not exist."""
         # A dictionary removes repetitions and preserves the order.
         values = dict.fromkeys(part.strip() for part in text.split(","))
+        for option in self.gone:
+            values.pop(option, None)
         if not values.keys() <= set(self.options):
             raise ValueError(self.name)
         return tuple(values)
@@ -177,11 +166,6 @@ class Text(URLParameter):
         return text
 
 
-def strip_punctuation(text: str) -> str:
-    """Return a text without the brackets, quotation marks, full stops and spaces around it."""
-    return text.strip(_PUNCTUATION)
-
-
 def read_once(page: str, parameters: Sequence[URLParameter]) -> list[str]:
     """Read the address after a page was opened, or after the back button; return a message for each problem.
 
@@ -201,9 +185,7 @@ def read_once(page: str, parameters: Sequence[URLParameter]) -> list[str]:
         message = _copy_to_session(parameter, use_default=is_history_navigation)
         if message:
             messages.append(message)
-    known = st.session_state.setdefault(_KNOWN, {})
-    messages += _remove_unknown({parameter.name for parameter in parameters}, known)
-    known.update({parameter.name: parameter.is_bound for parameter in parameters})
+    _remove_others(parameters)
     return messages
 
 
@@ -220,7 +202,7 @@ def update(*parameters: URLParameter) -> Any:
     """
     for parameter in parameters:
         if parameter.is_bound:
-            if not has_valid_value(parameter):
+            if read_value(parameter) is None:
                 st.query_params.pop(parameter.name, None)
             continue
         value = current(parameter)
@@ -252,11 +234,11 @@ def link_for_others(query: Mapping[str, str], path: str | None = None) -> SplitR
     url = link(query, path)
     if url.hostname not in _LOCAL_HOSTS:
         return url
-    host = _network_host()
+    host, port = _network_host(), url.port or 80
     # Another port belongs to a proxy or a tunnel, which may not be reachable at this host.
-    if host is None or url.port != st.get_option("server.port"):
+    if host is None or port != st.get_option("server.port"):
         return url
-    return url._replace(netloc=f"{host}:{url.port}")
+    return url._replace(netloc=f"{host}:{port}")
 
 
 def is_only_for_this_computer() -> bool:
@@ -278,21 +260,35 @@ def _network_host() -> str | None:
     return None if ipaddress.ip_address(host).is_loopback else host
 
 
-def has_valid_value(parameter: URLParameter) -> bool:
-    """Return whether the address contains no value of a parameter, or exactly one valid value."""
-    _value, sentence = _read(parameter)
-    return sentence is None
+def read_value(parameter: URLParameter) -> Any:
+    """Return the value of a parameter in the address; None if the address contains no valid value."""
+    value, _sentence = _read(parameter)
+    return value
+
+
+def _texts(parameter: URLParameter) -> list[str]:
+    """Return the texts of a parameter in the address, without punctuation at the end."""
+    return [text.rstrip(_PUNCTUATION) for text in st.query_params.get_all(parameter.name)]
 
 
 def _read(parameter: URLParameter) -> tuple[Any, str | None]:
     """Return the value of a parameter in the address or None, and the message for an invalid value or None."""
-    texts = st.query_params.get_all(parameter.name)
+    texts = _texts(parameter)
     if len(texts) > 1:
         return None, _("The address contains {name} more than once, so it was ignored.").format(name=parameter.name)
     try:
         return parameter.read(texts[0]) if texts else None, None
     except ValueError:
-        return None, parameter.message()
+        return None, parameter.message(texts[0])
+
+
+def _is_plain_number(text: str) -> bool:
+    """Return whether Streamlit reads a text in the address as a number."""
+    try:
+        float(text)
+    except ValueError:
+        return False
+    return True
 
 
 def _copy_to_session(parameter: URLParameter, use_default: bool) -> str | None:
@@ -301,35 +297,33 @@ def _copy_to_session(parameter: URLParameter, use_default: bool) -> str | None:
     If the address does not contain the parameter, `use_default` copies the default instead.
     """
     value, sentence = _read(parameter)
-    # A bound slider reads a valid value and removes an invalid one itself.
     if parameter.is_bound:
+        # A bound slider reads a plain number itself, and removes any other text. Such a text can be valid: 9/8. In the
+        # new session after a restart of the server, the page's slider may be newer than the address, so a plain number
+        # must not replace its value.
+        if value is not None and not _is_plain_number(st.query_params[parameter.name]):
+            st.session_state.setdefault(parameter.name, value)
         return sentence
     if sentence:
         del st.query_params[parameter.name]
     elif value is not None:
         st.session_state[parameter.name] = value
+        # Scripts of the page read the address, too.
+        [text] = _texts(parameter)
+        if st.query_params[parameter.name] != text:
+            st.query_params[parameter.name] = text
     elif use_default:
         st.session_state[parameter.name] = parameter.default
     return sentence
 
 
-def _remove_unknown(names: Iterable[str], known: Mapping[str, bool]) -> list[str]:
-    """Remove the parameters of previous pages; return a message if there are parameters of no page.
-
-    Parameters
-    ----------
-    names : names of the current page's parameters
-    known : name → whether Streamlit binds it, for the parameters of previous pages
-    """
-    others = set(st.query_params).difference(names)
-    for name in others & known.keys():
-        # Streamlit itself manages the parameters that it binds to widgets.
-        if not known[name]:
-            del st.query_params[name]
-    if not others - known.keys() or st.session_state.get(_WARNED):
-        return []
-    st.session_state[_WARNED] = True
-    return [UNKNOWN]
+def _remove_others(parameters: Iterable[URLParameter]) -> None:
+    """Remove all parameters that the current page does not have, except for those that Streamlit manages itself."""
+    bound = st.session_state.setdefault(_BOUND, set())
+    names = {parameter.name for parameter in parameters}
+    for name in set(st.query_params) - names - bound:
+        del st.query_params[name]
+    bound.update(parameter.name for parameter in parameters if parameter.is_bound)
 
 
 def _is_history_navigation() -> bool:

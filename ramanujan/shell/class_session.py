@@ -1,8 +1,8 @@
 """The role of this session in a class: lecturer with a key, student with a seat, wall, or none.
 
 The role is stored in the session state, and after a reload it is read from the address (`class_keys`). A random cookie
-of the browser identifies a student (`browser_cookie`), so all tabs of a phone share one vote. In a frame of another
-site, `browser/frame.js` writes a random name into the address instead.
+of the browser identifies a student (`server.cookies`), so all tabs of a phone share one vote. A frame of another site
+receives no cookie, so a student needs a tab.
 
 The wall also follows the sliders of the lecturer's desk.
 """
@@ -11,21 +11,20 @@ import json
 import secrets
 from collections.abc import Callable
 from contextlib import suppress
-from dataclasses import replace
 from typing import Any
 from urllib.parse import parse_qsl, urlencode
 
 import streamlit as st
 
-from ramanujan import Oscillator, lesson
-from ramanujan.browser import components
-from ramanujan.lesson.class_codes import hash_browser, read_code, split_key
-from ramanujan.lesson.class_states import END, ClassQuestion
-from ramanujan.lesson.classes import DAY, ClassError, CrowdError, Phase, Seat, Vote, shared
+from ramanujan import Oscillator
+from ramanujan.browser import topics
+from ramanujan.classroom.codes import hash_browser, split_key
+from ramanujan.classroom.results import find_stop
+from ramanujan.classroom.rules import ClassError, Phase, Seat, Vote, shared
+from ramanujan.classroom.states import END, ClassView
 from ramanujan.lesson.stop import Stop
 from ramanujan.shell import address, messages, sidebar
-from ramanujan.shell.browser_cookie import NAME
-from ramanujan.shell.class_keys import CLASS, FRAME, LECTURER, NOTHING_STORED, WALL
+from ramanujan.shell.class_keys import CLASS, COOKIE, FRAME, LECTURER, WALL
 from ramanujan.shell.parameters import MACHINE
 
 VIEW_INTERVAL = 0.5
@@ -33,12 +32,8 @@ VIEW_INTERVAL = 0.5
 
 _KEY, _SEAT, _WALL = "class_key", "class_seat", "class_wall"
 """Session state: the lecturer's key, the student's seat, and the code of the class if this session is its wall."""
-_AWAITED = "class_waits"
-"""Session state: the code of the class in which this session waits for a seat."""
 _SESSION = "class_session"
 """Session state: a random name, used if the browser stores no cookies."""
-_LOCAL_VISITOR = "here"
-"""Placeholder for the IP address of a visitor on the server’s own computer, for whom Streamlit returns none."""
 _SETTINGS = "class_settings"
 """Session state: the settings of the desk that this session last sent or received."""
 _FOLLOWED = "class_followed"
@@ -56,14 +51,12 @@ def restore_role() -> None:
     if not st.session_state.get(_ADDRESS_WAS_READ):
         st.session_state[_ADDRESS_WAS_READ] = True
         _take_role_in_address()
-    key, wall, awaited, seat = lecturer_key(), wall_code(), awaited_class(), student_seat()
+    key, wall, seat = lecturer_key(), wall_code(), student_seat()
     if key:
         code, _secret = split_key(key)
         _write_address(code, lecturer=key)
     elif wall:
         _write_address(wall, wall="on")
-    elif awaited:
-        _write_address(awaited)
     elif seat:
         _write_address(seat.code)
 
@@ -74,8 +67,8 @@ def _take_role_in_address() -> None:
     if key:
         run_or_refuse(_become_lecturer, key)
     elif code and address.current(WALL):
-        st.session_state[_WALL] = code.upper()
-    elif code:
+        st.session_state[_WALL] = code
+    elif code and not needs_own_tab():
         run_or_refuse(take_seat, code)
 
 
@@ -87,11 +80,6 @@ def lecturer_key() -> str | None:
 def student_seat() -> Seat | None:
     """Return the student's seat, if this session is a student's."""
     return st.session_state.get(_SEAT)
-
-
-def awaited_class() -> str | None:
-    """Return the code of the class in which this session waits for a seat, if there is one."""
-    return st.session_state.get(_AWAITED)
 
 
 def wall_code() -> str | None:
@@ -107,67 +95,55 @@ def find_class_phase(stop: Stop) -> Phase | None:
     key = lecturer_key()
     if key is None:
         return None
-    try:
-        stop_state = shared().read_last_state(shared().find_code(key), stop.id)
-    except ClassError:
-        stop_state = None
-    return stop_state.phase if stop_state else Phase.ASKED
+    last_vote = None
+    with suppress(ClassError):
+        last_vote = read_desk(key).find_last_vote(stop.id)
+    return last_vote.phase if last_vote else Phase.ASKED
 
 
-def read_question(code: str) -> ClassQuestion:
-    """Return the current question of a class; no question if this version of the app does not have its stop.
-
-    The class may have begun under another version of the app, before an upgrade or on another server.
-    """
-    current = shared().read_question(code)
-    if current.stop in (None, END) or lesson.has_stop(current.stop):
-        return current
-    return replace(current, stop=None, is_known=False)
+def read(code: str, voter: str = "") -> ClassView:
+    """Return a class. Raise `ClassError` if this version of the app does not have one of its stops."""
+    return _check_stops(shared().read(code, voter))
 
 
-def open_class(lifetime: float = DAY) -> None:
-    """Open a new class with this session as its lecturer; the class is deleted after `lifetime` seconds."""
-    st.session_state[_KEY] = shared().open_class(lifetime, find_ip_address()).key
+def read_desk(key: str) -> ClassView:
+    """Return the lecturer's class. Raise `ClassError` if this version of the app does not have one of its stops."""
+    return _check_stops(shared().read_for_lecturer(key))
+
+
+def _check_stops(view: ClassView) -> ClassView:
+    """Return a class whose stops this version of the app has."""
+    for question in (view.current, *view.asked):
+        if question.stop not in (None, END):
+            find_stop(question.stop)
+    return view
+
+
+def open_class() -> None:
+    """Open a new class with this session as its lecturer."""
+    st.session_state[_KEY] = shared().open_class().key
 
 
 def take_seat(code: str) -> None:
-    """Join the class with this code, or wait for a seat in it. A session has at most one seat."""
+    """Join the class with this code. A session has at most one seat."""
     name = identify_browser() or st.session_state.setdefault(_SESSION, secrets.token_urlsafe(9))
-    for entry in (_SEAT, _AWAITED):
-        st.session_state.pop(entry, None)
-    try:
-        st.session_state[_SEAT] = shared().join(code, hash_browser(name, code), find_ip_address())
-    except CrowdError:
-        st.session_state[_AWAITED] = read_code(code)
-        raise
+    st.session_state.pop(_SEAT, None)
+    st.session_state[_SEAT] = shared().join(code, hash_browser(name, code))
 
 
 def identify_browser() -> str:
-    """Return the random name of this browser; an empty text if the browser stores nothing for this page."""
-    name = st.context.cookies.get(NAME)
-    if name:
-        return name
-    return "" if has_no_storage() else address.current(FRAME)
+    """Return the random name of this browser; an empty text if the browser stores no cookies."""
+    return st.context.cookies.get(COOKIE, "")
 
 
-def has_no_storage() -> bool:
-    """Return whether the browser stores nothing for this page, because it is in a frame of another site."""
-    return address.current(FRAME) == NOTHING_STORED and NAME not in st.context.cookies
-
-
-def find_ip_address() -> str:
-    """Return the visitor’s IP address.
-
-    For a direct connection it is the address of the other end. For a connection from a proxy it is the last address in
-    X-Forwarded-For, which the proxy writes. Uvicorn reads this header only from trusted proxies (FORWARDED_ALLOW_IPS,
-    by default the same computer), because anybody can write it.
-    """
-    return st.context.ip_address or _LOCAL_VISITOR
+def needs_own_tab() -> bool:
+    """Return whether this page cannot recognize its browser, because it is in a frame of another site."""
+    return bool(address.current(FRAME)) and not identify_browser()
 
 
 def leave() -> None:
     """Give up the role in the class."""
-    for name in (_KEY, _SEAT, _AWAITED, _WALL, _REFUSAL):
+    for name in (_KEY, _SEAT, _WALL, _REFUSAL):
         st.session_state.pop(name, None)
     _write_address()
 
@@ -233,7 +209,7 @@ def send_view(stop: Stop, view: dict[str, Any]) -> None:
         return
     code, _secret = split_key(key)
     with suppress(ClassError):
-        if shared().read_question(code).stop != stop.id:
+        if shared().read(code).current.stop != stop.id:
             return
         message = {"stop": stop.id, **view}
         text = json.dumps(message)
@@ -241,16 +217,16 @@ def send_view(stop: Stop, view: dict[str, Any]) -> None:
         st.session_state[_FOLLOWED] = text, {**message, "ago": 0.0, "own": True}
 
 
-def show_desk_view(code: str) -> None:
-    """Show the desk's last view on the stage of this screen. The screen is a wall or another desk."""
-    text, age = shared().read_view(code)
+def show_desk_view(class_view: ClassView) -> None:
+    """Show the desk's last view on the stage of this screen. The screen is a wall, a phone or another desk."""
+    text = class_view.desk_view
     if text is None:
         return
     last_text, view = st.session_state.get(_FOLLOWED, (None, None))
     if text != last_text:
-        view = {**json.loads(text), "ago": age}
+        view = {**json.loads(text), "ago": class_view.desk_view_age}
         st.session_state[_FOLLOWED] = text, view
-    components.publish("class_seen", {f"view/stop_{view['stop']}": view})
+    topics.publish("class_seen", {f"view/stop_{view['stop']}": view})
 
 
 def _become_lecturer(key: str) -> None:

@@ -11,26 +11,27 @@ from typing import Any
 
 import streamlit as st
 
-from ramanujan.browser import components, stage
-from ramanujan.browser.roles import container
+from ramanujan.browser import stage
+from ramanujan.browser.components import link, pager
+from ramanujan.browser.containers import container
 from ramanujan.shell import address
 from ramanujan.shell.parameters import PARAMETERS
-from ramanujan.translation import _
+from ramanujan.text.translation import _
 
 PARTS = {**stage.PARTS, "curve": "the curve of Ω²m/k over the mass ratio", "steps": "the derivation in six steps"}
 """Part that a link can hide → its description."""
 VIEW = address.Choice("view", ("projector",))
-HIDE = address.Several("hide", tuple(PARTS))
+HIDE = address.Several("hide", tuple(PARTS), gone=stage.GONE_LAYERS)
 SLIDE = address.Text(
     "slide", "[a-z0-9_]{1,40}", _("The value of {name} in the address was ignored: it must be a short name.")
 )
 STANDALONE = (*PARAMETERS, "layers", "speed", "from", "paused")
 """URL parameters of the standalone file."""
-_PAGE = "display_page"
-"""Session state: name of the page that the last run drew."""
 URL_PARAMETERS = (VIEW, HIDE, SLIDE)
 """Display options in the address of every page."""
 
+_PAGE = "display_page"
+"""Session state: name of the page that the last run drew."""
 _SWITCH = "projector"
 """Key of the switch for the projector view."""
 
@@ -105,15 +106,16 @@ def picture_and_words(picture_width: int = 3) -> Sequence[AbstractContextManager
 
 
 @st.fragment
-def folded(name: str, title: str, *parts: Callable[[], None], expanded: bool = False) -> None:
+def folded(name: str, title: str, *parts: Callable[[], None]) -> None:
     """Draw an expander, and its parts while it is open. In the projector view, draw each part on its own slide."""
     if is_projector():
         for number, draw in enumerate(parts):
             part_title = _("{heading}, continued").format(heading=title) if number else title
             with slide(f"{name}_{number}" if number else name, part_title):
+                st.header(part_title, anchor=False)
                 draw()
         return
-    fold = st.expander(title, expanded, key=f"fold_{name}", on_change="rerun")
+    fold = st.expander(title, key=f"fold_{name}", on_change="rerun")
     if fold.open:
         with fold:
             for draw in parts:
@@ -121,17 +123,17 @@ def folded(name: str, title: str, *parts: Callable[[], None], expanded: bool = F
 
 
 def begin(name: str) -> None:
-    """Begin a run of the page with this name. After another page, select the first slide if the address has none."""
-    if st.session_state.get(_PAGE, name) != name and SLIDE.name not in st.query_params:
+    """Begin a run of the page with this name. After another page, select the first slide."""
+    if st.session_state.get(_PAGE, name) != name:
         st.session_state[SLIDE.name] = ""
     st.session_state[_PAGE] = name
 
 
 @st.fragment
-def pager() -> None:
+def draw_pager() -> None:
     """Draw the controls that select a slide. A selection reruns only this fragment."""
     address.update(SLIDE)
-    components.pager(lambda name: st.session_state.update({SLIDE.name: name}))
+    pager.mount(lambda name: st.session_state.update({SLIDE.name: name}))
 
 
 def hides(*parts: str) -> bool:
@@ -148,7 +150,7 @@ def draw_bar() -> None:
     """Draw the bar with the link and the projector switch. It is above the page, or below (page.css)."""
     st.session_state[_SWITCH] = is_projector()
     with st.container(horizontal=True, vertical_alignment="center", key="bar"):
-        components.link(address.PRIVATE, STANDALONE)
+        link.mount(address.PRIVATE, STANDALONE)
         st.toggle(_("Projector"), key=_SWITCH, on_change=_store_view)
 
 

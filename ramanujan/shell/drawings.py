@@ -8,7 +8,7 @@ from plotly.basedatatypes import BaseFigure
 
 from ramanujan.figures import enlarge_letters
 from ramanujan.shell import display_mode
-from ramanujan.translation import LANGUAGE, _
+from ramanujan.text.translation import LANGUAGE, _
 
 STILL = {"displaylogo": False, "modeBarButtons": [["toImage"]], "scrollZoom": False}
 """Plotly's options for a figure with a download button as its only button, and without scroll zoom."""
@@ -31,7 +31,7 @@ _LOCALE = {"locale": LANGUAGE, "locales": {LANGUAGE: {"dictionary": _PLOTLY_WORD
 
 
 def plot(figure: BaseFigure, key: str, alt: str, *, config: dict[str, Any] = STILL, **options: Any) -> None:
-    """Draw a figure, which can be saved as SVG or PNG and grows with the screen (type.css).
+    """Draw a figure, which can be saved as PNG and grows with the screen (type.css).
 
     Parameters
     ----------
@@ -41,7 +41,7 @@ def plot(figure: BaseFigure, key: str, alt: str, *, config: dict[str, Any] = STI
     config, options : arguments of Plotly and of `st.plotly_chart`
     """
     is_projector = display_mode.is_projector()
-    download = {"toImageButtonOptions": {"format": "svg", "filename": f"ramanujan-{key}", "scale": 3}}
+    download = {"toImageButtonOptions": {"format": "png", "filename": f"ramanujan-{key}", "scale": 3}}
     st.plotly_chart(
         enlarge_letters(figure) if is_projector else figure,
         height="stretch" if is_projector else "content",

@@ -5,7 +5,7 @@ from zoneinfo import ZoneInfo
 
 import streamlit as st
 
-from ramanujan.translation import _
+from ramanujan.text.translation import _
 
 
 def time_zone() -> tzinfo:

@@ -2,8 +2,8 @@
 
 import streamlit as st
 
-from ramanujan.catalogue import COMPLETE
-from ramanujan.translation import LANGUAGE, TRANSLATED, _
+from ramanujan.text.catalogue import COMPLETE
+from ramanujan.text.translation import LANGUAGE, TRANSLATED, _
 
 _ABOUT_ADDRESS = "messages_address"
 """Session state: the sentences about the address that the page shows."""

@@ -1,17 +1,18 @@
-"""The parameters with sliders: names, units and ranges; and the parser of typed numbers."""
+"""The parameters with sliders: names, units and ranges, and the messages at a slider."""
 
-import math
-import re
 from dataclasses import dataclass, fields
-from fractions import Fraction
 from typing import Any, ClassVar
 
 import streamlit as st
 
-from ramanujan import Oscillator
-from ramanujan.numerals import number, quantity
-from ramanujan.shell.address import URLParameter, has_valid_value, strip_punctuation
-from ramanujan.translation import _
+from ramanujan import UNIT_MASS_RATIO, Oscillator
+from ramanujan.shell.address import URLParameter, read_value
+from ramanujan.text.numerals import number, quantity
+from ramanujan.text.reading import read_number, two_readings
+from ramanujan.text.translation import _
+
+_DECIMAL_MARK = "."
+"""The decimal mark of the app's links, in every language."""
 
 
 @dataclass(frozen=True)
@@ -26,6 +27,8 @@ class Parameter(URLParameter):
     scale : the unit in SI units
     short : short form of the meaning, for the label of a box
     is_folded : whether the slider is in an expander
+    shown_ratio : the slider shows values up to this multiple of m, and all values while its own value is larger
+    snap_ratios : multiples of m to which the slider snaps
     """
 
     is_bound: ClassVar[bool] = True
@@ -41,24 +44,24 @@ class Parameter(URLParameter):
     scale: float = 1.0
     short: str = ""
     is_folded: bool = False
+    shown_ratio: float | None = None
+    snap_ratios: tuple[float, ...] = ()
 
     def read(self, text: str) -> float:
-        """Return the number, as Streamlit's sliders parse it. Raise `ValueError` for an invalid text."""
-        value = float(text)
-        if not (math.isfinite(value) and self.least <= value <= self.most):
+        """Return the number in a text that a box or a slider accepts. Raise `ValueError` for an invalid text."""
+        value = read_number(text, _DECIMAL_MARK)
+        if value is None:
+            # Streamlit reads every text of Python's `float` from the address, such as 1_0.
+            value = float(text)
+        if not self.least <= value <= self.most:
             raise ValueError(self.name)
         return value
 
-    def tidy(self, text: str) -> str:
-        """Return a number as text for Streamlit's sliders, also for a text that only the box accepts, such as 9/8."""
-        tidied = super().tidy(text)
-        if self._fits(tidied):
-            return tidied
-        value = read_number(strip_punctuation(text))
-        return tidied if value is None else repr(value)
-
-    def message(self) -> str:
+    def message(self, text: str = "") -> str:
         """Return the error message for an invalid text."""
+        readings = two_readings(text, _DECIMAL_MARK)
+        if readings:
+            return SENTENCES["ambiguous_link"].format(name=self.name, **readings)
         sentence = _("The value of {name} in the address was ignored: it must be a number from {least} to {most}.")
         return sentence.format(name=self.name, least=number(self.least, strip=True), most=self.with_unit(self.most))
 
@@ -71,9 +74,10 @@ class Parameter(URLParameter):
     @property
     def value(self) -> float:
         """The value in this unit. Before the slider is drawn, it is the value in the address."""
-        if self.name not in st.session_state and self.name in st.query_params and has_valid_value(self):
-            return self.read(st.query_params[self.name])
-        return st.session_state.get(self.name, self.default)
+        if self.name in st.session_state:
+            return st.session_state[self.name]
+        value = read_value(self)
+        return self.default if value is None else value
 
     @property
     def in_si(self) -> float:
@@ -98,17 +102,31 @@ class Parameter(URLParameter):
         return min(max(value, self.least), self.most)
 
 
-_BLOCK, _ROLLER = _("mass of block, slab and top cylinder"), _("mass of each lower roller")
-_COMPRESSION, _RADIUS = _("compression at release"), _("radius of the rollers")
+# A name for screen readers begins with the short form, which is seen: voice control finds a slider by these words.
+_BLOCK, _ROLLER = _("block, slab, top cylinder: mass"), _("each lower roller: mass")
+_COMPRESSION, _RADIUS = _("compression at release"), _("roller radius")
 PARAMETERS = {
     parameter.name: parameter
     for parameter in (
         # Name, symbol, meaning, unit, least, most, default, step, format, scale.
         Parameter("m", "m", _BLOCK, "kg", 0.5, 5.0, 1.0, 0.01, "%.2f", short=_("block, slab, top")),
-        Parameter("m_prime", "m′", _ROLLER, "kg", 0.05, 10.0, 1.0, 0.01, "%.2f", short=_("each lower roller")),
+        Parameter(
+            "m_prime",
+            "m′",
+            _ROLLER,
+            "kg",
+            0.05,
+            10.0,
+            1.0,
+            0.01,
+            "%.2f",
+            short=_("each lower roller"),
+            shown_ratio=2.2,
+            snap_ratios=(1.0, UNIT_MASS_RATIO),
+        ),
         Parameter("k", "k", _("stiffness of the spring"), "N/m", 1.0, 200.0, 10.0, 0.5, "%.1f", short=_("stiffness")),
         Parameter("compression", "x₀", _COMPRESSION, "cm", 0.5, 12.0, 8.0, 0.1, "%.1f", 0.01, _("compression")),
-        Parameter("radius", "R", _RADIUS, "cm", 5.0, 20.0, 10.0, 0.5, "%.1f", 0.01, _("roller radius"), is_folded=True),
+        Parameter("radius", "R", _RADIUS, "cm", 5.0, 20.0, 10.0, 0.5, "%.1f", 0.01, _RADIUS, is_folded=True),
     )
 }
 """Name → parameter in the sidebar and in the address of every page, in the order of the sliders."""
@@ -131,24 +149,12 @@ SENTENCES = {
     "unreadable": _(
         "Type {symbol} as a number such as 1.25 or as a fraction such as 9/8. The old value, {old}, was kept."
     ),
+    "ambiguous": _(
+        "{text} can mean {decimal} or {whole}. Type one of these two for {symbol}. The old value, {old}, was kept."
+    ),
+    "ambiguous_link": _("The value of {name} in the address was ignored: {text} can mean {decimal} or {whole}."),
     "outside": _("{symbol} must be between {least} and {most}. The old value, {old}, was kept."),
     "lighter": _("m was changed from {old} to {new}, because m′ can be at most {bound}."),
     "heavier": _("m was changed from {old} to {new}, because m′ must be at least {bound}."),
 }
-"""Messages at a slider: not a number, outside of the range, or m changed because of the mass ratio."""
-
-LONGEST = 60
-"""Largest length of a typed number."""
-_NUMBER = re.compile(r"[+-]?(\d+([.,]\d*)?|[.,]\d+)([eE][+-]?\d{1,3})?(/\d+([.,]\d*)?)?", re.ASCII)
-
-
-def read_number(text: str) -> float | None:
-    """Parse a decimal number or a fraction, with a point or a comma as decimal mark; return None if invalid."""
-    text = text.strip()
-    if len(text) > LONGEST or not _NUMBER.fullmatch(text):
-        return None
-    numerator, _slash, denominator = text.replace(",", ".").partition("/")
-    try:
-        return float(Fraction(numerator) / Fraction(denominator or "1"))
-    except (ZeroDivisionError, OverflowError):
-        return None
+"""Messages at a slider: not a number, two readings (box, link), outside of the range, m changed with the ratio."""

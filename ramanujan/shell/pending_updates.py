@@ -15,7 +15,7 @@ from typing import Any, NamedTuple
 
 import streamlit as st
 
-from ramanujan.translation import _
+from ramanujan.text.translation import _
 
 _SEEN = "update_seen"
 """The hidden slider."""

@@ -1,25 +1,28 @@
-"""The controls: sliders, exact entries, presets, link; and the resulting `Oscillator`.
+"""The controls: sliders with boxes for exact values, presets, the list of symbols; and the resulting `Oscillator`.
 
 They are in the sidebar, and on the first page in the page itself.
 
-Each parameter has one slider, which is bound to the address and contains its value. The box above the slider shows the
-value in full, and sends a typed text as one message. An invalid value from any source causes a message, and the last
-valid value remains.
+Each parameter has one slider, which is bound to the address and contains its value. The box of the slider shows the
+value, with all digits while it has the focus, and sends a typed text as one message. An invalid value from any source
+causes a message, and the last valid value remains.
 """
 
 import math
 from collections.abc import Collection
 from functools import partial
+from typing import Any
 
 import streamlit as st
 
 from ramanujan import UNIT_MASS_RATIO, Oscillator
-from ramanujan.browser import components
-from ramanujan.browser.roles import container
-from ramanujan.numerals import number as format_number
-from ramanujan.shell import cache, display_mode, messages, pending_updates, widgets
-from ramanujan.shell.parameters import MACHINE, PARAMETERS, SENTENCES, read_number
-from ramanujan.translation import _, pgettext
+from ramanujan.browser import topics
+from ramanujan.browser.components import drawer, exact
+from ramanujan.browser.containers import container
+from ramanujan.shell import display_mode, messages, pending_updates, shared_cache, stages, widgets
+from ramanujan.shell.parameters import MACHINE, PARAMETERS, SENTENCES
+from ramanujan.text.numerals import number as format_number
+from ramanujan.text.reading import read_number, two_readings
+from ramanujan.text.translation import _, pgettext
 
 PRESETS = {
     "equal": _("Equal masses"),
@@ -48,20 +51,22 @@ _LINKED = "linked"
 """Session state: key of a parameter → its value when the session began."""
 
 
-def draw(withheld_presets: Collection[str], folded_parameters: Collection[str]) -> None:
+def draw(withheld_presets: Collection[str], folded_parameters: Collection[str], placed: Collection[str] = ()) -> None:
     """Draw the sidebar. Call it once in each run, after `begin` and before the page.
 
     Parameters
     ----------
     withheld_presets : presets to omit, because they would reveal an answer
     folded_parameters : keys of parameters of minor importance on this page, whose sliders are in an expander
+    placed : keys of parameters whose sliders the page has drawn
     """
     with st.sidebar, st.container(key="controls"):
-        components.drawer()
+        drawer.mount()
         folded = [key for key, parameter in PARAMETERS.items() if parameter.is_folded or key in folded_parameters]
         for key in PARAMETERS:
-            if key not in folded:
-                draw_slider(key)
+            if key not in folded and key not in placed:
+                # A slider that snaps would reveal the ratio, too.
+                draw_slider(key, snaps=not withheld_presets)
         draw_more([name for name in PRESETS if name not in withheld_presets], folded)
         if display_mode.is_projector():
             display_mode.draw_bar()
@@ -103,14 +108,14 @@ def draw_symbols() -> None:
     """Draw the list of symbols. A closed expander sends no list, which saves a twentieth of the data of a rerun."""
     with st.expander(pgettext("list of them", "Symbols"), key="symbols", on_change="rerun") as opened:
         if opened.open:
-            entries = cache.symbols("euler_lagrange", x_0=_("compression of the spring at release [m]"))
+            entries = shared_cache.symbols("euler_lagrange", x_0=_("compression of the spring at release [m]"))
             with container("list", "symbols"):
                 st.markdown("\n".join(f"- {entry}" for entry in entries))
 
 
 def end() -> None:
     """Publish the values of the sliders to the boxes, after all sliders are drawn."""
-    components.publish("boxes", collect_box_messages())
+    topics.publish("boxes", collect_box_messages())
     pending_updates.draw()
 
 
@@ -265,8 +270,7 @@ def _reset() -> None:
 
     A message names the new values, if the link sets a parameter.
     """
-    defaults = {parameter.name: parameter.default for parameter in PARAMETERS.values()}
-    linked = st.session_state.get(_LINKED, defaults)
+    defaults, linked = _defaults(), st.session_state[_LINKED]
     has_linked_values = all(PARAMETERS[key].value == value for key, value in linked.items())
     pending_updates.set_widgets(defaults if has_linked_values else linked)
     if linked == defaults:
@@ -278,10 +282,15 @@ def _reset() -> None:
         messages.note(_FIRST_BOX, sentence)
 
 
+def _defaults() -> dict[str, float]:
+    return {parameter.name: parameter.default for parameter in PARAMETERS.values()}
+
+
 def _request_preset() -> None:
     """Request the selected preset, and clear the selection, which a moved slider would invalidate."""
     pending_updates.repeat_unreceived()
     preset = st.session_state[_PRESET]
+    stages.release()
     if preset in _RATIOS:
         request_ratio(_RATIOS[preset])
     elif preset == "reset":
@@ -289,11 +298,29 @@ def _request_preset() -> None:
     pending_updates.set_widgets({_PRESET: None})
 
 
-def draw_slider(key: str) -> None:
-    """Draw the slider of a parameter with its box, in one place in each run, before `end`."""
-    components.exact(key, widgets.box_settings(PARAMETERS[key]), partial(request_number, key))
+def draw_slider(key: str, snaps: bool = True) -> None:
+    """Draw the slider of a parameter with its box, in one place in each run, before `end`.
+
+    Parameters
+    ----------
+    key : key of the parameter
+    snaps : whether the slider snaps to the parameter's `snap_ratios`
+    """
+    head = widgets.box_settings(PARAMETERS[key]) | _describe_presets(key)
+    if not snaps:
+        head["snap_ratios"] = ()
+    exact.mount(key, head, partial(request_number, key))
     messages.show_note(key)
     widgets.slider(PARAMETERS[key], label_visibility="collapsed", on_change=_rerun_fragments)
+
+
+def _describe_presets(key: str) -> dict[str, Any]:
+    """Return the presets that set this slider for its box, which moves the thumb before the server answers."""
+    ratios = {PRESETS[name]: ratio for name, ratio in _RATIOS.items()}
+    # After a link, the values of a reset depend on those of all sliders.
+    is_default = st.session_state[_LINKED] == _defaults()
+    reset = {"label": PRESETS["reset"], "value": PARAMETERS[key].default if is_default else None}
+    return {"ratios": ratios if key == "m_prime" else None, "reset": reset}
 
 
 def set_number(key: str, text: str) -> None:
@@ -305,9 +332,15 @@ def set_number(key: str, text: str) -> None:
     if number is not None and parameter.least <= number <= parameter.most:
         pending_updates.set_widgets({parameter.name: number})
         return
-    sentence = SENTENCES["unreadable" if number is None else "outside"]
-    limits = {"least": format_number(parameter.least, strip=True), "most": parameter.with_unit(parameter.most)}
-    sentence = sentence.format(symbol=parameter.symbol, old=parameter.with_unit(parameter.value), **limits)
+    names = {"symbol": parameter.symbol, "old": parameter.with_unit(parameter.value)}
+    readings = two_readings(text)
+    if readings:
+        sentence = SENTENCES["ambiguous"].format(**names, **readings)
+    elif number is None:
+        sentence = SENTENCES["unreadable"].format(**names)
+    else:
+        least, most = format_number(parameter.least, strip=True), parameter.with_unit(parameter.most)
+        sentence = SENTENCES["outside"].format(**names, least=least, most=most)
     messages.note(parameter.name, sentence, is_warning=True)
 
 

@@ -5,7 +5,7 @@ from functools import cache
 import streamlit as st
 from plotly.colors import find_intermediate_color, hex_to_rgb, label_rgb
 
-from ramanujan.integrators import METHODS
+from ramanujan.physics.integrators import METHODS
 
 BODY_COLORS = {"block": "gray", "hoop": "orange", "cylinder": "blue", "slab": "green", "spring": "violet", "top": "red"}
 """Body → Streamlit's name of its colour. Markdown contains :orange[…], and the stage var(--st-orange-color)."""

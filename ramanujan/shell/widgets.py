@@ -1,4 +1,4 @@
-"""The widgets of the pages. Each belongs to a URL parameter (`address`), has an id as its value, and shows a label."""
+"""The widgets of the pages. Most belong to a URL parameter (`address`): the value is an id, and a label is shown."""
 
 import string
 from collections.abc import Callable, Mapping, Sequence
@@ -6,11 +6,12 @@ from typing import Any, Literal
 
 import streamlit as st
 
-from ramanujan.browser.roles import container
+from ramanujan.browser.containers import container
 from ramanujan.shell import address
 from ramanujan.shell.address import Choice, Count
-from ramanujan.shell.parameters import LONGEST, Parameter
-from ramanujan.translation import _
+from ramanujan.shell.parameters import Parameter
+from ramanujan.text.reading import LONGEST
+from ramanujan.text.translation import _
 
 Labels = Mapping[Any, str]
 """Labels of options: option → label. They are only passed for a parameter that does not define labels itself."""
@@ -51,30 +52,7 @@ def _labels(parameter: Choice) -> Labels:
     return parameter.options if isinstance(parameter.options, Mapping) else {}
 
 
-def draw_in_columns(
-    widths: int | Sequence[float],
-    *draw_functions: Callable[[], Any],
-    alignment: Literal["top", "center", "bottom"] = "top",
-) -> list[Any]:
-    """Draw a widget in each column, or all widgets in a single column; return their values.
-
-    Parameters
-    ----------
-    widths : widths of the columns, or their number
-    draw_functions : functions that draw a widget each and return its value
-    alignment : vertical alignment of the columns
-    """
-    columns = st.columns(widths, vertical_alignment=alignment)
-    if len(columns) == 1:
-        columns *= len(draw_functions)
-    values = []
-    for column, draw in zip(columns, draw_functions, strict=True):
-        with column:
-            values.append(draw())
-    return values
-
-
-def count(parameter: Count, label: str, *, step: int = 1, width: int | Literal["stretch"] = "stretch") -> int:
+def count(parameter: Count, label: str, *, width: int | Literal["stretch"] = "stretch") -> int:
     """Draw a box for a whole number, with its range. Streamlit's own box shows the range only after it is left."""
     label = _("{label} ({least}\u00a0to\u00a0{most})").format(label=label, least=parameter.least, most=parameter.most)
     st.number_input(
@@ -82,7 +60,6 @@ def count(parameter: Count, label: str, *, step: int = 1, width: int | Literal["
         parameter.least,
         parameter.most,
         parameter.default,
-        step,
         key=parameter.name,
         persist_state="session",
         width=width,
@@ -178,7 +155,7 @@ def slider(parameter: Parameter, **more: Any) -> float:
         parameter.most,
         parameter.default,
         parameter.step,
-        # components/slider_values.js writes the value in the language of the page.
+        # components/services/slider_values.js writes the value in the language of the page.
         format=parameter.format,
         key=parameter.name,
         bind="query-params",
@@ -195,12 +172,14 @@ def page_slider(parameter: Parameter) -> float:
 
 
 def box_settings(parameter: Parameter) -> dict[str, Any]:
-    """Return the names of a parameter and the settings of the box above its slider, for `components.exact`."""
+    """Return the names of a parameter and the settings of the box above its slider, for `exact.mount`."""
     return {
         "symbol": parameter.symbol,
         "unit": parameter.unit,
         "meaning": parameter.short,
-        "label": _("Exact value: {parameter}").format(parameter=parameter.label),
+        "label": _("{parameter}, exact value").format(parameter=parameter.label),
         "longest": LONGEST,
         "default": parameter.default,
+        "shown_ratio": parameter.shown_ratio,
+        "snap_ratios": parameter.snap_ratios,
     }

@@ -11,7 +11,8 @@ seconds. A bare page with three sliders is measured in the same run, so that the
 machine. The clients run on the same machine.
 
 --processes    run the app behind the proxy, as in .deploy
---measuring    number of additional sessions that repeat the measurement of the speed page; its durations are printed
+--measuring    number of additional sessions that measure the diagram of the speed page; the duration and the longest
+               delay of the others meanwhile are printed
 --looking      number of additional sessions that open all pages once, without cached results
 --voting       number of phones that vote once; the delays until the wall counts the votes are printed
 --browsers     number of pages in real browsers, with --voting: the wall, and phones
@@ -33,20 +34,20 @@ from time import perf_counter
 
 from playwright.async_api import async_playwright
 
+from ramanujan.classroom.rules import shared
 from ramanujan.lesson import STOPS
-from ramanujan.lesson.classes import shared
-from ramanujan.pages.lesson.classroom import PHONE_INTERVAL
-from ramanujan.shell.navigation import PAGES as EVERY_PAGE
+from ramanujan.pages.classroom.phone import PHONE_INTERVAL
+from ramanujan.shell.menu import PAGES as EVERY_PAGE
 from tests.benchmarks.app import BARE
 from tests.benchmarks.visitor import VisitError, Visitor
-from tests.browser import CHROMIUM, FLAGS, ROOT, running
-from tests.deployed import deployed
+from tests.checks.browser import CHROMIUM, FLAGS, ROOT, running
+from tests.checks.deployed import deployed
 
-PAGES = {page.name: page.address for page in EVERY_PAGE.values()}
+PAGES = {page.name: page.path for page in EVERY_PAGE.values()}
 CHANGE_INTERVAL = 2.0
 """Average time between two changes of the slider in one session [s]."""
 
-LONGEST_MEASUREMENT = 600.0
+LONGEST_MEASUREMENT = 60.0
 """Timeout of a measurement [s]."""
 
 AT_ONCE = 20
@@ -55,11 +56,12 @@ AT_ONCE = 20
 
 @dataclass
 class Lesson:
-    """Results: seconds of each opening, answer and measurement, errors, and load of the server."""
+    """Results: seconds of openings and answers, times of answers and measurements, errors, load of the server."""
 
     opened: list[float] = field(default_factory=list)
     waits: list[float] = field(default_factory=list)
-    measured: list[float] = field(default_factory=list)
+    waits_ended: list[float] = field(default_factory=list)
+    measured: list[tuple[float, float]] = field(default_factory=list)
     errors: Counter[str] = field(default_factory=Counter)
     processor: float = 0.0
     memory: float = 0.0
@@ -167,6 +169,7 @@ async def _work(visitor: Visitor, end: float, number: int, results: Lesson, argu
         due = perf_counter() + chance.uniform(0.75, 1.25) * CHANGE_INTERVAL
         try:
             results.waits.append(await visitor.move(arguments.slider, chance))
+            results.waits_ended.append(perf_counter())
         except (VisitError, OSError) as problem:
             results.errors[str(problem)] += 1
             return
@@ -184,12 +187,14 @@ async def _look(address: str, _end: float, results: Lesson) -> None:
 
 
 async def _measure(address: str, end: float, results: Lesson) -> None:
-    """Repeat the measurement of the longest runs on the speed page until the end."""
-    visitor = Visitor(address, "speed?periods=300")
+    """Measure the diagram of the speed page. The first measurement computes the errors, too; the others only times."""
+    visitor = Visitor(address, "speed?topic=price")
     try:
         await visitor.open()
+        await asyncio.sleep(CHANGE_INTERVAL)
         while perf_counter() < end:
-            results.measured.append(await visitor.press("measure", LONGEST_MEASUREMENT))
+            seconds = await visitor.press("measure", LONGEST_MEASUREMENT)
+            results.measured.append((perf_counter() - seconds, perf_counter()))
     except (VisitError, OSError) as problem:
         results.errors[f"measuring: {problem}"] += 1
     await visitor.close()
@@ -216,8 +221,6 @@ async def _vote(address: str, arguments: argparse.Namespace) -> None:
         for page in pages[1:]:
             await page.goto(f"{address}/lesson?class={opened.code}")
             await page.locator(".st-key-class_phone").wait_for(timeout=60_000)
-        print("One network gets 60 seats a minute.", flush=True)
-        await asyncio.sleep(61)
         shared().ask(opened.key, stop.id, list(stop.options))
         await pages[0].locator(".st-key-wall_asked").wait_for(timeout=60_000)
         await pages[0].evaluate(COUNTED)
@@ -274,8 +277,14 @@ def report(name: str, results: Lesson, bare: Lesson | None = None) -> None:
         ratio = (results.processor / runs) / (bare.processor / max(len(bare.waits), 1))
         print(f"{'':<14}{ratio:.2f} × the bare page’s processor time a run")
     if results.measured:
-        took = ", ".join(f"{seconds:.1f}" for seconds in sorted(results.measured))
-        print(f"{'':<14}measurements took {took} s")
+        begin, end = results.measured[0]
+        print(f"{'':<14}the diagram took {end - begin:.1f} s")
+        waits = [
+            wait
+            for wait, ended in zip(results.waits, results.waits_ended, strict=True)
+            if ended > begin and ended - wait < end
+        ]
+        print(f"{'':<14}{len(waits)} answers during it, the longest after {1000 * max(waits, default=0):.0f} ms")
     for error, count in results.errors.most_common(5):
         print(f"{'':<14}{count} × {error}")
 

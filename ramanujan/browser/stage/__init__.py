@@ -10,8 +10,10 @@ and JavaScript modules:
     clock                         the animation loop
     words                         sentences for the reader
     slab, live_values             input by pointer, keys and sliders
+    follow                        a second, small picture of a stage
     keeper, save                  the view in the address; the picture as a file
     coordinates, terms, svg       coordinates of the picture; terms of a formula; elements of a picture
+    listen, tones                 both oscillations as sound
     toolbar                       the controls
     stage                         the connection of all these
 
@@ -28,9 +30,11 @@ Constant data, sent once:
     clock           name of the clock; stages with the same clock run and pause together
     layers          the members of `LAYERS` that are shown first
     compact         whether only the picture and its label are shown, without controls
-    dials           whether the two clock hands, the gauge and the readouts are shown
+    dials           whether the two clock hands, their drift and the readouts are shown
     narrow          whether these are below the picture
-    periods         number of periods after which the motion repeats; default: never
+    periods         number of periods in the graphs: the motion repeats after these, and both machines move as since one
+                    release. Default: the motion never repeats, and at a change of the machine both hands go on from
+                    where they are
     label           text under the picture
     address_prefix  prefix of the stage's names in the address
     sends_view      whether the stage sends its view to the server, see `VIEW`
@@ -46,10 +50,12 @@ The message, published at every change; all but the first entry are optional:
                  run, the number of the run;
                  screen_period, the duration of a plain-mass period on the screen [s] while a new run is first shown
     slipping     the contact to mark, such as hoop_slab
+    forces       the contacts, or spring, whose forces are drawn strongly; all forces have letters
     hide         the hidden parts, members of `PARTS`
+    releases     a number; another number sets both hands to the start
 
 Other parts of the page communicate with a stage through the topics of the bus, listed in
-`ramanujan.browser.components`. The stage sends only its view to the server, and only at the desk of a class. A drag of
+`ramanujan.browser.topics`. The stage sends only its view to the server, and only at the desk of a class. A drag of
 the slab moves the slider, which sends its own value (live_values.js).
 """
 
@@ -57,29 +63,29 @@ from collections.abc import Callable, Iterable, Mapping
 from dataclasses import asdict
 from typing import Any
 
-from ramanujan.browser import components, modules
+from ramanujan.browser import modules, mounting, topics
 from ramanujan.browser.stage.formulas import SHAPE_FACTORS
-from ramanujan.browser.stage.words import LAYERS
-from ramanujan.motion import InitialState
-from ramanujan.oscillator import Oscillator
+from ramanujan.browser.stage.words import GONE_LAYERS, LAYERS
+from ramanujan.physics.motion import InitialState
+from ramanujan.physics.oscillator import Oscillator
 
 PARTS = {
     "clocks": "the two clock hands, and every text that depends on how near the two frequencies are",
-    "numbers": "Ω²m/k with its gauge, Ω, the period, shares of the energy, scales of arrows, and texts with them",
+    "hands": "all of these except the button Listen, for a task by ear",
+    "numbers": "Ω²m/k, Ω, the period, shares of the energy, scales of arrows, and texts with them",
     "plain": "the plain mass",
     "motion": "the motion and everything that shows it; the machine stays at rest in the position of its release",
     **{name: f"{what}, with its tick box" for name, (_title, what) in LAYERS.items()},
 }
 """Part of a stage that can be hidden → its description. A hidden part is neither on the page nor in its sentences."""
-VIEW: Mapping[str, Any] = {"layers": "", "from": "", "speed": 1.0, "pace": 1.0, "turns": ""}
+VIEW: Mapping[str, Any] = {"layers": "", "from": "", "speed": 1.0, "rates": "", "turns": ""}
 """An example of the view that a stage sends to the server.
 
 layers, from, speed
     layers, reference frame and speed, in the notation of the address
-pace
-    seconds of the machine per second of the clock; 0 while it is paused
-turns
-    periods since release of the machine and of the plain mass, for each stage on the clock
+turns, rates
+    turns of the hands of the machine and of the plain mass since the start, for each stage on the clock; and turns per
+    second on the screen, 0 while the clock is paused
 """
 
 
@@ -92,10 +98,11 @@ def payload(
     samples: Mapping[str, Any] | None = None,
     computed: Mapping[str, Any] | None = None,
     slipping: str | None = None,
+    forces: tuple[str, ...] | None = None,
 ) -> dict[str, Any]:
-    """Return the message published at every change, without `hide`: the machine and its motion as plain numbers.
+    """Return the message published at every change, without `hide` and `releases`.
 
-    `publish` adds `hide`.
+    The machine and its motion are plain numbers. `publish` adds `hide`, and `shell/stages.py` adds `releases`.
 
     Parameters
     ----------
@@ -105,6 +112,8 @@ def payload(
     shape_factors : β of the rollers hoop, cylinder, top; it determines their look and their motion
     samples, computed : a computed motion; `samples` replaces the exact one, `computed` is an outline over it
     slipping : the contact to mark, such as hoop_slab
+    forces : the contacts, or "spring", whose forces are drawn strongly; the others are drawn faintly. All forces then
+        have letters, with or without the layer of forces.
     """
     shapes = {f"beta_{name}": float(shape_factors[name]) for name in SHAPE_FACTORS}
     optional: dict[str, Any] = {
@@ -112,6 +121,7 @@ def payload(
         "samples": samples,
         "computed": computed,
         "slipping": slipping,
+        "forces": forces,
     }
     return {
         "parameters": {**asdict(oscillator), "compression": compression, **shapes},
@@ -140,11 +150,23 @@ def mount(
     constants = settings(key, **options)
     if on_view:
         constants["sends_view"] = True
-        components.mount("stage/stage", key, constants, event="view", on_value=on_view, type_example=VIEW)
+        mounting.mount("stage/stage", key, constants, event="view", on_value=on_view, type_example=VIEW)
     else:
         modules.component("stage/stage")(key=key, data=constants)
     if data is not None:
         publish(data, key=key, name=constants["stage"], hide=hide)
+
+
+def mount_small(key: str, *, follows: str, limits: tuple[float, float]) -> None:
+    """Put a second, small picture of a stage on the page, without controls.
+
+    Parameters
+    ----------
+    key : Streamlit's key of the picture
+    follows : name of the stage
+    limits : as in `settings`
+    """
+    modules.component("stage/stage")(key=key, data={"follows": follows, "limits": {"compression": limits}})
 
 
 def settings(
@@ -173,9 +195,9 @@ def settings(
     clock : name of the clock, shared by stages that run together; default: a clock for this stage
     layers : members of `LAYERS` that are shown first
     compact : show only the picture and its label, without controls
-    dials : show the two clock hands, the gauge and the readouts beside the picture
+    dials : show the two clock hands, their drift and the readouts beside the picture
     narrow : show these below the picture
-    periods : number of periods after which the motion repeats; default: never
+    periods : number of periods of the graphs, after which the motion repeats; default: never
     label : a few words under the picture, also its name for screen readers
     address_prefix : prefix of the stage's names in the address; one for each clock of a page
     """
@@ -213,4 +235,4 @@ def publish(
     """
     hidden = sorted(hide)
     message = {**data, "hide": hidden} if hidden else data
-    components.publish(key, {f"machine/{name or key}": message, **(more or {})})
+    topics.publish(key, {f"machine/{name or key}": message, **(more or {})})

@@ -1,5 +1,5 @@
-// Time: one animation loop for all stages on the page, and the clocks. Stages on the same clock run and pause together. The
-// loop stops while nothing moves: sixty frames a second of an unchanged page used a quarter of a processor.
+// Time: one animation loop for all stages on the page, and the clocks. Stages on the same clock run and pause together.
+// The loop stops while nothing moves: sixty frames a second of an unchanged page used a quarter of a processor.
 
 import { clamp } from "./motion.js";
 

@@ -1,6 +1,6 @@
 // The layer Coordinates: X, φ and Φ with their positive sense, x₀, R, and a bracket for the lower rollers' common mass.
-// Lengths are centimetres of the picture; y points up. `place` is the geometry from `layout`. Numbers without a name are gaps
-// and sizes that keep marks and labels clear of each other.
+// Lengths are centimetres of the picture; y points up. `place` is the geometry from `layout`. Numbers without a name
+// are gaps and sizes that keep marks and labels clear of each other.
 
 import { CM, ROLLERS, arc, displacements, headOf, velocityArrow } from "./drawing.js";
 import { FORMULAS } from "./formulas.js";
@@ -9,7 +9,8 @@ import { element, put } from "./svg.js";
 import { WORDS } from "./texts.js";
 
 const ARC = 0.5; // radius of the arc that shows an angle, in radii of the roller
-const SENSE = { from: 44, to: 74, label: 68, radius: 1.12 }; // the arrow of the positive sense outside the rim [degrees, radii]
+// The arrow of the positive sense outside the rim [degrees, radii].
+const SENSE = { from: 44, to: 74, label: 68, radius: 1.12 };
 
 /** Return mark → attributes: `d` of a line, or x and y of a label. Pure. */
 function coordinateMarks(known, place, shift) {
@@ -24,7 +25,10 @@ function coordinateMarks(known, place, shift) {
   };
 }
 
-/** X, the block's displacement to the left of its initial position, in the floor; and its positive sense at the block's edge. */
+/**
+ * X, the block's displacement to the left of its initial position, in the floor; and its positive sense at the block's
+ * edge.
+ */
 function blockMarks(edge, origin, place) {
   const y = place.deck + 4.5, length = -7.5;
   return {
@@ -55,7 +59,9 @@ function angleMarks(name, angle, displacement, place) {
   };
 }
 
-/** Lengths from the slab's end at the spring's natural length: x₀ to the point of release, 2Rφ to the present position. */
+/**
+ * Lengths from the slab's end at the spring's natural length: x₀ to the point of release, 2Rφ to the present position.
+ */
 function slabMarks(block, slab, compression, place) {
   const [right, left, end] = [place.slab.right + block, place.slab.left + block, place.slab.left + slab];
   const above = place.slab.bottom + place.thick, low = place.slab.bottom + place.thick / 2;
@@ -85,7 +91,7 @@ function radiusMarks(displacement, place) {
 
 /** A bracket under the two lower rollers, which have the same mass. */
 function sharedMarks(displacement, place) {
-  const [left, right] = [place.centre.hoop[0] + displacement, place.centre.cylinder[0] + displacement], y = place.deck - 2;
+  const [left, right] = ["hoop", "cylinder"].map((name) => place.centre[name][0] + displacement), y = place.deck - 2;
   return {
     shared_value: { d: `M${left} ${-y - 1}V${-y}H${right}V${-y - 1}` },
     shared_label: { x: (left + right) / 2, y: -y + 2.8 },
@@ -98,8 +104,10 @@ const LABELS = {
 };
 
 /** Draw the marks below a node. Each mark's element is created once and reused. */
-export const drawCoordinates = (root, known, place, shift) =>
-  put((name) => root.querySelector(`[data-mark=${name}]`) ?? makeMark(name, root), coordinateMarks(known, place, shift));
+export function drawCoordinates(root, known, place, shift) {
+  const find = (name) => root.querySelector(`[data-mark=${name}]`) ?? makeMark(name, root);
+  put(find, coordinateMarks(known, place, shift));
+}
 
 function makeMark(name, root) {
   const [quantity, kind] = name.split("_"), body = { X: "block", x0: "spring" }[quantity] ?? quantity;

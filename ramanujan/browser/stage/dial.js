@@ -1,67 +1,91 @@
-// The comparison of the machine with the plain mass: two clock hands, the sentences below them, the gauge, and the readouts.
-// All of these are highlighted when the two are in step.
+// The comparison of the machine with the plain mass: two clock hands, the arrow of the drift, the sentences below them,
+// and the readouts. Dial and sentences are highlighted when the two are in step.
 
-import { fill, fixed, number, withUnit } from "../components/sentences.js";
-import { FORMULAS } from "./formulas.js";
+import { fill, fixed, number, withUnit } from "../sentences.js";
 import { TURN } from "./motion.js";
 import { finder } from "./parts.js";
-import { element, put, set } from "./svg.js";
+import { put, set } from "./svg.js";
 import { WORDS } from "./texts.js";
 
 const VISIBLE = 0.01; // turns, the smallest visible angle between the hands
 const IN_STEP = VISIBLE / 1e6; // turns per period: no visible difference even after a million periods
-const NEARLY = 1 / 500; // turns per period: the next step of a slider would be farther away
+const NEARLY = 1 / 400; // turns per period: about a step of the slider of m′ to each side
+const DRIFT_PERIODS = 3; // the arrow spans the angle that the machine's hand gains in this number of periods
+const LONGEST = 0.96, HEAD = 0.045; // turns: the longest arrow, and the head of any but the shortest
 
-/** Classify the distance of the two frequencies: "in-step", "nearly" or "apart". */
-function nearness({ Omega, plain }) {
-  const turnsPerPeriod = Math.abs(Omega / plain - 1);
-  if (turnsPerPeriod < IN_STEP) return "in-step";
-  return turnsPerPeriod < NEARLY ? "nearly" : "apart";
+/** The drift [turns per period of the plain mass]: what the machine's hand gains on the other, exactly 0 in step. */
+export function driftOf({ Omega, plain }) {
+  const drift = Omega / plain - 1;
+  return Math.abs(drift) < IN_STEP ? 0 : drift;
 }
 
-/** Return a sentence about the present angle between the hands. It names the hand that is ahead only after the start. */
-function leadSentence({ phase, plainPhase, periods }) {
+/** Classify a drift: "in-step", "nearly" or "apart". */
+function nearness(drift) {
+  if (drift === 0) return "in-step";
+  return Math.abs(drift) < NEARLY ? "nearly" : "apart";
+}
+
+/** Return a sentence about the present angle between the hands. */
+function leadSentence({ phase, plainPhase, periods, solution }) {
   const turns = (phase - plainPhase) / TURN, distance = Math.abs(turns);
-  const values = { turns: fixed(distance, 2), periods: fixed(Math.abs(periods), 1), least: fixed(VISIBLE, 2) };
-  if (Math.abs(periods) < 0.05) return WORDS.start;
-  if (distance < VISIBLE) return fill(periods < 0 ? WORDS.start : WORDS.close, values);
-  if (periods < 0) return fill(WORDS.before, values);
-  return fill(turns > 0 ? WORDS.ahead : WORDS.behind, values);
+  if (distance < VISIBLE) {
+    const words = Math.abs(periods) < 0.05 ? WORDS.start : WORDS.close;
+    return fill(words, { least: fixed(VISIBLE, 2) });
+  }
+  const side = turns > 0 ? "ahead" : "behind", whole = Math.round(distance);
+  if (Math.abs(distance - whole) < VISIBLE) return fill(WORDS[`meets_${side}`], { turns: fixed(whole, 0) });
+  const isInStep = nearness(driftOf(solution)) === "in-step";
+  return fill(WORDS[isInStep ? `stays_${side}` : side], { turns: fixed(distance, 2) });
 }
 
-/** Return a sentence: the time until the hands are one full turn apart. */
-function partingSentence({ Omega, plain }) {
-  const periods = 1 / Math.abs(Omega / plain - 1);
-  const rounded = periods < 10 ? fixed(periods, 1) : fixed(Math.round(periods), 0);
-  const words = { "in-step": WORDS.in_step, nearly: WORDS.nearly, apart: WORDS.parting };
-  return fill(words[nearness({ Omega, plain })], { periods: rounded, least: fixed(VISIBLE, 2) });
+/** Return a sentence about the drift: the time in which the machine gains or loses one full turn. */
+function driftSentence(drift) {
+  if (nearness(drift) === "in-step") return fill(WORDS.in_step, { least: fixed(VISIBLE, 2) });
+  const periods = 1 / Math.abs(drift), rounded = periods < 10 ? fixed(periods, 1) : fixed(Math.round(periods), 0);
+  return fill(drift > 0 ? WORDS.gains : WORDS.loses, { periods: rounded });
 }
 
 export function makeDial(root) {
   const find = finder(root);
-  const readouts = Object.fromEntries(["normalized", "omega", "period"].map((name) => [name, find(`[data-read=${name}]`)]));
-  const limit = FORMULAS.normalized_limit({});
-  // The gauge of stage.html is 200 units wide, with a margin of 10 units.
-  const gaugeX = (value) => 10 + (180 * value) / limit;
-  set(find(".unity"), { x: gaugeX(1) });
-  for (let value = 0; value <= limit; value += 0.5) {
-    element("path", { d: `M${gaugeX(value)} ${value === 1 ? 18 : 30}V36` }, find(".gauge .ticks"));
-    element("text", { x: gaugeX(value), y: 48 }, find(".gauge .ticks")).textContent = fixed(value, Number.isInteger(value) ? 0 : 1);
-  }
+  const names = ["normalized", "omega", "period"];
+  const readouts = Object.fromEntries(names.map((name) => [name, find(`[data-read=${name}]`)]));
+  let describedRatio; // Ω²m/k with nine digits, of the machine in the sentence about the drift
+  find(".key .drift").textContent = fill(WORDS.drift, { periods: DRIFT_PERIODS });
 
   /** Set the text of a node, if it has changed. */
   function write(node, text) {
     if (node.textContent !== text) node.textContent = text;
   }
 
-  /** Show a machine's frequencies. `showsNearness` is false while the page must not reveal how close both frequencies are. */
+  /**
+   * Show a machine's frequencies. `showsNearness` is false while the page must not reveal how close both frequencies
+   * are.
+   */
   function machine(solution, showsNearness) {
     readouts.normalized.textContent = number(solution.normalized, 7);
     readouts.omega.textContent = withUnit(number(solution.Omega, 5), "rad/s");
     readouts.period.textContent = withUnit(number(TURN / solution.Omega, 4), "s");
-    set(find(".step"), { "data-step": showsNearness ? nearness(solution) : "" });
-    write(find(".parting"), partingSentence(solution));
-    set(find(".pointer"), { transform: `translate(${gaugeX(Math.min(solution.normalized, limit))} 30)` });
+    const drift = driftOf(solution);
+    set(find(".step"), { "data-step": showsNearness ? nearness(drift) : "" });
+    drawDrift(showsNearness ? DRIFT_PERIODS * drift : 0);
+    const ratio = solution.normalized.toPrecision(9);
+    if (ratio !== describedRatio) write(find(".parting"), driftSentence(drift));
+    describedRatio = ratio;
+  }
+
+  /** Replace the sentence about the drift until the drift changes. */
+  function explain(sentence) {
+    write(find(".parting"), sentence);
+  }
+
+  /** Draw an arrow from the machine's hand over an angle in turns, clockwise if it is positive. It vanishes at 0. */
+  function drawDrift(turns) {
+    const length = Math.min(Math.abs(turns), LONGEST), size = Math.min(1, length / HEAD), shaft = length - size * HEAD;
+    put(find, {
+      ".dial .drift > g": { transform: `scale(${turns < 0 ? -1 : 1} 1)` },
+      ".dial .drift circle": { "stroke-dasharray": `${shaft} 1` },
+      ".dial .drift path": { transform: `rotate(${180 * (shaft + length)}) translate(0 -43) scale(${size})` },
+    });
   }
 
   /** Draw the hands at a moment. `writesText`: whether the sentence below them is updated, too. */
@@ -71,6 +95,7 @@ export function makeDial(root) {
     const lead = ((phase - plainPhase) / TURN) % 1; // turns by which the machine's hand is ahead
     put(find, {
       ".hand.machine": { transform: `rotate(${degrees(phase)})` },
+      ".dial .drift": { transform: `rotate(${degrees(phase)})` },
       ".hand.plain": { transform: `rotate(${degrees(plainPhase)})` },
       ".lead": {
         transform: `rotate(${degrees(lead > 0 ? plainPhase : phase) - 90})`,
@@ -80,5 +105,5 @@ export function makeDial(root) {
     if (writesText) write(find(".verdict"), leadSentence(playback));
   }
 
-  return { machine, frame };
+  return { machine, explain, frame };
 }

@@ -1,8 +1,8 @@
-// The drawing: pure functions from a machine and its state to lengths, outlines and attributes. No page, no clock, no events.
-// Lengths are centimetres of the picture; x points to the right, and y up from the floor. `place` is the geometry from `layout`.
-// Numbers without a name are gaps and sizes that keep parts and letters clear of each other.
+// The drawing: pure functions from a machine and its state to lengths, outlines and attributes. No page, no clock, no
+// events. Lengths are centimetres of the picture; x points to the right, and y up from the floor. `place` is the
+// geometry from `layout`. Numbers without a name are gaps and sizes that keep parts and letters clear of each other.
 
-import { fill } from "../components/sentences.js";
+import { fill } from "../sentences.js";
 import { FORMULAS } from "./formulas.js";
 import { TURN, clamp, mapValues } from "./motion.js";
 import { WORDS } from "./texts.js";
@@ -16,7 +16,10 @@ const ASPECT = 2; // width of every picture divided by its height, as in stage.c
 export const STRETCH = 50; // distance between two labels of the ruler
 const BEYOND = 3 * STRETCH; // distance by which the floor extends beyond the view
 
-/** Return the geometry at φ = 0, to scale, with room for the largest travel. The view has the same shape for every radius. */
+/**
+ * Return the geometry at φ = 0, to scale, with room for the largest travel. The view has the same shape for every
+ * radius.
+ */
 export function layout({ radius }, [, largest]) {
   const R = radius * CM;
   const travel = largest * CM; // of the slab relative to the block, to either side
@@ -36,9 +39,8 @@ export function layout({ radius }, [, largest]) {
   // The block consists of two rectangles. Its centre of mass is the mean of their centres, weighted by their areas.
   const lowArea = riser * deck, highArea = (right - riser) * upper, area = lowArea + highArea;
   const blockX = (lowArea * (riser / 2) + highArea * ((riser + right) / 2)) / area;
-  const blockY = (lowArea * (deck / 2) + highArea * (upper / 2)) / area;
-  const slabCentre = [(slab.left + slab.right) / 2, slab.bottom + thick / 2];
-  const home = { block: [blockX, blockY], slab: slabCentre, ...centre }; // centres of mass at φ = 0
+  // The x of the centres of mass at φ = 0.
+  const home = { block: blockX, slab: (slab.left + slab.right) / 2, hoop, cylinder, top };
   const floor = [-BEYOND, Math.ceil((view.right + BEYOND) / STRETCH) * STRETCH];
   return { R, travel, deck, thick, slab, riser, upper, right, view, centre, home, shelf, floor };
 }
@@ -50,7 +52,10 @@ function fitView({ left, right, bottom, top }) {
   return { left: left - margin, right: right + margin, bottom, top: bottom + width / ASPECT };
 }
 
-/** The displacement of each body [cm] in a view that has moved by `shift` [m]. `values`: symbol → value for the formulas. */
+/**
+ * The displacement of each body [cm] in a view that has moved by `shift` [m]. `values`: symbol → value for the
+ * formulas.
+ */
 export const displacements = (values, shift) =>
   mapValues(FORMULAS.displacement, (displacement) => (displacement(values) - shift) * CM);
 
@@ -59,7 +64,8 @@ export function anchors(place) {
   return {
     block: [(place.riser + place.right) / 2, place.upper * 0.35],
     ...place.centre,
-    slab: [0.7 * place.slab.left + 0.3 * place.slab.right, place.slab.bottom + place.thick + 2.5], // its head stays clear of x₀
+    // Its head stays clear of x₀.
+    slab: [0.7 * place.slab.left + 0.3 * place.slab.right, place.slab.bottom + place.thick + 2.5],
   };
 }
 
@@ -68,20 +74,24 @@ const SHORTEST = 0.05; // the shortest arrow that is drawn
 /** The largest length of an arrow's head, in proportion to a roller, so that it never covers the letter on it. */
 export const headOf = (R) => clamp(0.28 * R, 1.4, 2.8);
 
-/** A velocity: a slender arrow with an open head. Its length is signed; the head is never longer than the arrow or `longestHead`. */
+/**
+ * A velocity: a slender arrow with an open head. Its length is signed; the head is never longer than the arrow or
+ * `longestHead`.
+ */
 export function velocityArrow(x, y, length, longestHead) {
   if (Math.abs(length) < SHORTEST) return "";
   const head = Math.sign(length) * Math.min(Math.abs(length), longestHead);
   return `M${x} ${-y}h${length}m${-head} ${-0.6 * head}l${head} ${0.6 * head}l${-head} ${0.6 * head}`;
 }
 
-/** A force, to the right or, if it is upright, upwards: a broad, filled arrow. Its head is like that of a velocity. */
-export function forceArrow(x, y, length, longestHead, { isUpright = false } = {}) {
+/** A force: a broad, filled arrow. Its length is signed, and its head is like that of a velocity. */
+export function forceArrow(x, y, length, longestHead) {
   if (Math.abs(length) < SHORTEST) return "";
   const head = Math.sign(length) * Math.min(Math.abs(length), longestHead), shaft = length - head;
   const [thick, wide] = [0.22 * head, 0.62 * head];
-  const corners = [[0, thick], [shaft, thick], [shaft, wide], [length, 0], [shaft, -wide], [shaft, -thick], [0, -thick]];
-  const points = corners.map(([along, across]) => (isUpright ? `${x + across} ${-y - along}` : `${x + along} ${-y - across}`));
+  const upper = [[0, thick], [shaft, thick], [shaft, wide], [length, 0]];
+  const corners = [...upper, [shaft, -wide], [shaft, -thick], [0, -thick]];
+  const points = corners.map(([along, across]) => `${x + along} ${-y - across}`);
   return `M${points.join("L")}z`;
 }
 
@@ -98,9 +108,13 @@ export const CONTACTS = mapValues(FORMULAS.contact_force, (_force, contact) => {
   return { roller, other, side: other === "slab" ? 1 : -1 };
 });
 
-const MAX_OFFSET = 1.5; // cm, by which a force is drawn beside its contact or the spring, so that opposite arrows do not overlap
+// cm, by which a force is drawn beside its contact or the spring, so that opposite arrows do not overlap.
+const MAX_OFFSET = 1.5;
 
-/** The forces parallel to the floor, name → { body, x, y, newtons to the right }. A contact has two opposite and equal forces. */
+/**
+ * The forces parallel to the floor, name → { body, x, y, newtons to the right }. A contact has two opposite and equal
+ * forces.
+ */
 export function horizontalForces(values, place, shift) {
   const displaced = displacements(values, shift), offset = Math.min(0.22 * place.R, MAX_OFFSET), forces = {};
   for (const [contact, { roller, other, side }] of Object.entries(CONTACTS)) {
@@ -111,36 +125,15 @@ export function horizontalForces(values, place, shift) {
   }
   // The two forces of a stretched spring point towards each other.
   const axis = place.slab.bottom + place.thick / 2, { slab, block } = FORMULAS.spring_force;
-  forces["spring slab"] = { body: "slab", x: place.slab.right + displaced.slab, y: axis + offset, newtons: slab(values) };
-  forces["spring block"] = { body: "block", x: place.riser + displaced.block, y: axis - offset, newtons: block(values) };
-  return forces;
-}
-
-/** The weights and normal forces, name → { body, x, y, newtons upwards }. A contact has two opposite and equal forces. */
-export function verticalForces(values, place, shift) {
-  const displaced = displacements(values, shift), forces = {};
-  for (const [contact, { roller, other, side }] of Object.entries(CONTACTS)) {
-    const x = place.centre[roller][0] + displaced[roller], y = place.centre[roller][1] + side * place.R;
-    const normal = -side * FORMULAS.normal_force[contact](values);
-    forces[`${contact} ${roller}`] = { body: roller, x, y, newtons: normal };
-    forces[`${contact} ${other}`] = { body: other, x, y, newtons: -normal };
-  }
-  const weights = mapValues(FORMULAS.weight, (weight) => weight(values));
-  for (const [name, [x, y]] of Object.entries(place.home)) {
-    // A roller's weight is drawn beside the line of its normal forces, which would hide it.
-    const distance = ROLLERS.includes(name) ? 0.22 * place.R : 0;
-    forces[`weight ${name}`] = { body: name, x: x + displaced[name] + distance, y, newtons: -weights[name] };
-  }
-  const total = Object.values(weights).reduce((sum, weight) => sum + weight, 0);
-  const heights = Object.fromEntries(BODIES.map((name) => [`height_${name}`, place.home[name][1] / CM]));
-  const lever = FORMULAS.floor_lever({ ...values, ...heights }) * CM;
-  forces["floor block"] = { body: "block", x: centreOfMass(values, place, shift) + lever, y: 0, newtons: total };
+  const [from, to] = [place.slab.right + displaced.slab, place.riser + displaced.block];
+  forces["spring slab"] = { body: "slab", x: from, y: axis + offset, newtons: slab(values) };
+  forces["spring block"] = { body: "block", x: to, y: axis - offset, newtons: block(values) };
   return forces;
 }
 
 /**
- * The two paths of a spring between two points at the same height. The front path has both ends and the strands in front of the
- * spring's axis; the back path has the strands behind it.
+ * The two paths of a spring between two points at the same height. The front path has both ends and the strands in
+ * front of the spring's axis; the back path has the strands behind it.
  */
 export function coil(selector, from, to, y, height) {
   const turns = 10, lead = clamp((to - from) / 8, 0, 3), across = (to - from - 2 * lead) / turns / 2;
@@ -156,30 +149,24 @@ export function coil(selector, from, to, y, height) {
 export const density = (mass) => clamp(0.5 + 0.4 * Math.log10(mass), 0.12, 0.95);
 
 /** The shape of a roller with the shape factor β = I/(mass·R²). */
-export function shapeOf(beta) {
+function shapeOf(beta) {
   if (beta > 0.8) return "hoop";
   if (beta > 0.6) return "shell";
   return beta > 0.45 ? "cylinder" : "sphere";
 }
 
-/**
- * The path along an ellipse between two angles, measured clockwise from the top. Its Bézier curves are within 0.03 % of the
- * ellipse; TikZ draws an SVG arc with too few digits.
- */
+/** The path along an ellipse between two angles, measured clockwise from the top. */
 export function arc(x, y, across, upright, from, to) {
+  // An SVG arc cannot be a full turn.
   const pieces = Math.ceil(Math.abs(to - from) / (TURN / 4)), step = (to - from) / pieces;
-  const handle = (4 / 3) * Math.tan(step / 4); // length of a Bézier handle that approximates a circle
-  // The point at an angle. With `direction` 1 or −1: the end of its handle in the direction of larger or smaller angles.
-  const point = (angle, direction) => {
-    const [sin, cos] = [Math.sin(angle), Math.cos(angle)];
-    return `${x + across * (sin + direction * handle * cos)} ${y - upright * (cos - direction * handle * sin)}`;
-  };
-  const piece = (start) => `C${point(start, 1)} ${point(start + step, -1)} ${point(start + step, 0)}`;
-  return Array.from({ length: pieces }, (_, i) => piece(from + i * step)).join("");
+  const sweep = step > 0 ? 1 : 0;
+  const point = (angle) => `${x + across * Math.sin(angle)} ${y - upright * Math.cos(angle)}`;
+  const piece = (end) => `A${across} ${upright} 0 0 ${sweep} ${point(end)}`;
+  return Array.from({ length: pieces }, (_, i) => piece(from + (i + 1) * step)).join("");
 }
 
 /** A roller's outline, the mark that shows its angle, and an inlay that makes its rotation visible from a distance. */
-export function rollerPaths(shape, R) {
+function rollerPaths(shape, R) {
   const circle = (r, sense = 1) => `M0 ${-r}${arc(0, 0, r, r, 0, sense * TURN)}z`;
   const ring = (outer, inner) => circle(outer * R) + circle(inner * R, -1);
   const meridian = `M0 ${-R}${arc(0, 0, 0.4 * R, R, 0, TURN)}z`;
@@ -197,8 +184,8 @@ export function rollerPaths(shape, R) {
 export const rollerWords = (parameters) => ROLLERS.map((name) => WORDS.bodies[shapeOf(parameters[`beta_${name}`])]);
 
 /**
- * The names of the bodies. If both lower rollers have the same shape, their names contain the words left and right. Otherwise the
- * name of a lower roller with the shape of the top roller contains the word lower.
+ * The names of the bodies. If both lower rollers have the same shape, their names contain the words left and right.
+ * Otherwise the name of a lower roller with the shape of the top roller contains the word lower.
  */
 export function bodyNames(parameters) {
   const words = WORDS.bodies, [left, right, top] = rollerWords(parameters);
@@ -206,12 +193,13 @@ export function bodyNames(parameters) {
     if (left === right) return fill(words[side], { body });
     return body === top ? fill(words.lower, { body }) : body;
   };
-  return { ...words, hoop: lowerName("left", left), cylinder: lowerName("right", right), top: fill(words.top, { body: top }) };
+  const [hoop, cylinder] = [lowerName("left", left), lowerName("right", right)];
+  return { ...words, hoop, cylinder, top: fill(words.top, { body: top }) };
 }
 
 /**
- * The floor, and the bench behind the machine on which the plain mass slides. The floor extends beyond the view, to the edge of
- * the screen. Both springs begin at the same x, and the plain mass's rest mark is above the slab's.
+ * The floor, and the bench behind the machine on which the plain mass slides. The floor extends beyond the view, to the
+ * edge of the screen. Both springs begin at the same x, and the plain mass's rest mark is above the slab's.
  */
 export function scenery({ floor: [from, to], slab, travel, shelf, riser }) {
   const wide = 10, high = 6.5, end = slab.right, post = 1.4, left = -6;
@@ -230,7 +218,8 @@ export function scenery({ floor: [from, to], slab, travel, shelf, riser }) {
 
 /** The outlines of the bodies, and the positions of their letters. */
 export function outlines(place, parameters) {
-  const { R, riser, upper, right, deck, thick } = place, { left: slabLeft, right: slabRight, bottom: slabBottom } = place.slab;
+  const { R, riser, upper, right, deck, thick } = place;
+  const { left: slabLeft, right: slabRight, bottom: slabBottom } = place.slab;
   const slab = { x: slabLeft, y: -slabBottom - thick, width: slabRight - slabLeft, height: thick };
   const handle = slab.x + 0.77 * slab.width; // clear of the letter, the velocity arrow and x₀
   const shadow = `M${0.55 * R} ${R}${arc(0, R, 0.55 * R, 0.1 * R, TURN / 4, (3 * TURN) / 4)}z`; // below the contact
@@ -258,28 +247,26 @@ export function outlines(place, parameters) {
   }, ...rollers);
 }
 
-/** The positions of the bodies and the spring in a view that has moved by `shift` [m]; `values` as in `displacements`. */
+/**
+ * The positions of the bodies and the spring in a view that has moved by `shift` [m]; `values` as in `displacements`.
+ */
 export function positions(values, place, shift = 0) {
   const x = displacements(values, shift), [from, to] = [place.slab.right + x.slab, place.riser + x.block];
-  const table = { ...coil(".spring", from, to, place.slab.bottom + place.thick / 2, 2), ".stiffness": { x: (from + to) / 2 } };
+  const axis = place.slab.bottom + place.thick / 2;
+  const table = { ...coil(".spring", from, to, axis, 2), ".stiffness": { x: (from + to) / 2 } };
   for (const [name, [x0, y0]] of Object.entries({ block: [0, 0], slab: [0, 0], ...place.centre }))
     table[`.${name}`] = { transform: `translate(${x0 + x[name]} ${-y0})` };
-  for (const name of ROLLERS) table[`.${name} .spin`] = { transform: `rotate(${(FORMULAS.angle[name](values) * 360) / TURN})` };
+  for (const name of ROLLERS) {
+    const degrees = (FORMULAS.angle[name](values) * 360) / TURN;
+    table[`.${name} .spin`] = { transform: `rotate(${degrees})` };
+  }
   return table;
-}
-
-/** The outlines of slab and top roller at a position, for the trail. */
-export function trailOutline(values, place, shift) {
-  const displaced = displacements(values, shift), { slab, thick, R } = place;
-  const slabOutline = `M${slab.left + displaced.slab} ${-slab.bottom}v${-thick}H${slab.right + displaced.slab}v${thick}z`;
-  const x = place.centre.top[0] + displaced.top, y = -place.centre.top[1];
-  return `${slabOutline}M${x} ${y - R}${arc(x, y, R, R, 0, TURN)}z`;
 }
 
 /** The centre of mass of the whole machine in a view that has moved by `shift` [m]. */
 export function centreOfMass(values, place, shift) {
   const displaced = displacements(values, shift);
-  return FORMULAS.centre({ ...values, ...mapValues(place.home, ([x], name) => x + displaced[name]) });
+  return FORMULAS.centre({ ...values, ...mapValues(place.home, (x, name) => x + displaced[name]) });
 }
 
 /** A quantity of the reference frame: the block's value of these formulas, or 0 for the ground. */

@@ -6,12 +6,12 @@ import sympy as sp
 
 from ramanujan.derivation import model
 from ramanujan.derivation.elimination import eliminate
-from ramanujan.derivation.model import Machine, Phi, R, X, epsilon, k, m, m_prime, machine, phi, t
-from ramanujan.derivation.newton import contact_forces, floor_lever, normal_forces, spring_forces
-from ramanujan.derivation.numbers import unit_frequency_condition
+from ramanujan.derivation.model import Machine, R, k, m, m_prime, machine, phi, t
+from ramanujan.derivation.newton import CONTACTS, contact_forces, spring_forces
 from ramanujan.derivation.printers import plain_text
 from ramanujan.derivation.solution import coefficients
-from ramanujan.oscillator import GRAVITY, SPACING_GAP, SPACING_PER_RADIUS
+from ramanujan.physics.oscillator import SPACING_GAP, SPACING_PER_RADIUS
+from ramanujan.text.names import BODIES
 
 SHAPE_FACTORS = {"hoop": float(model.HOOP), "cylinder": float(model.SOLID_CYLINDER), "top": float(model.SOLID_CYLINDER)}
 """β of the paper's rollers."""
@@ -21,13 +21,10 @@ def collect_formulas() -> dict[str, Any]:
     """Return name → expression for every expression that the stage evaluates, for rollers of any shape."""
     shape_factors = {name: sp.Symbol(f"beta_{name}", positive=True) for name in SHAPE_FACTORS}
     general_machine = machine(**shape_factors)
-    eliminated = eliminate(general_machine)
-    frequency_squared = eliminated.natural_frequency_squared
+    frequency_squared = eliminate(general_machine).natural_frequency_squared
     Omega = sp.Symbol("Omega", positive=True)
     # Exact fractions of the decimals in the source text, such as 1/4 for 0.25.
-    per_radius, gap, g = (sp.Rational(str(number)) for number in (SPACING_PER_RADIUS, SPACING_GAP, GRAVITY))
-    spacing = per_radius * R + gap
-    accelerations = {X.diff(t, 2): eliminated.X_ddot_from_phi_ddot, Phi.diff(t, 2): eliminated.Phi_ddot_from_phi_ddot}
+    per_radius, gap = (sp.Rational(str(number)) for number in (SPACING_PER_RADIUS, SPACING_GAP))
     # φ has no drift, so φ̈ = −Ω²φ at all times.
     oscillation = {phi.diff(t, 2): -(Omega**2) * phi}
     total = sum(body.mass for body in general_machine.bodies)
@@ -38,12 +35,11 @@ def collect_formulas() -> dict[str, Any]:
         "plain_frequency": sp.sqrt(k / m),
         "normalized_frequency_squared": sp.factor(frequency_squared * m / k),
         "mass_ratio": m_prime / m,
-        "normalized_limit": sp.limit(unit_frequency_condition().normalized_frequency_squared, epsilon, 0),
         "motion": {
             str(q.func).replace("varphi", "phi"): dict(zip("abcd", parts, strict=True))
             for q, parts in coefficients(general_machine).items()
         },
-        "spacing": spacing,
+        "spacing": per_radius * R + gap,
         "deformation": general_machine.deformation,
         "released_angle": sp.solve(general_machine.deformation - compression, general_machine["hoop"].angle)[0],
         "mass": {body.name: body.mass for body in general_machine.bodies},
@@ -56,16 +52,17 @@ def collect_formulas() -> dict[str, Any]:
         "rolling": _rolling(general_machine),
         "contact_force": forces,
         "spring_force": spring_forces(general_machine),
-        "normal_force": normal_forces(general_machine, spacing, g),
-        "floor_lever": floor_lever(general_machine, g).subs(accelerations).subs(oscillation),
-        "weight": {body.name: body.mass * g for body in general_machine.bodies},
     }
 
 
 def collect_labels() -> dict[str, Any]:
-    """Return the expressions shown in the picture, as text."""
+    """Return the expressions shown in the picture, as text. A contact force has a letter and a subscript."""
     paper_machine = machine()
+    letters = {contact.name: str(contact.force.func).partition("_")[0] for contact in CONTACTS}
     return {
+        "contact_force": {
+            contact.name: [letters[contact.name], BODIES[contact.roller].subscript] for contact in CONTACTS
+        },
         "deformation": plain_text(paper_machine.deformation),
         "rolling": {name: plain_text(velocity) for name, velocity in _rolling(paper_machine).items()},
     }

@@ -1,8 +1,8 @@
-// Writes the view of the stages on one clock into the address: layers, speed, reference frame, and the phases of a pause. A link
-// then shows the same picture. shell/stages.py defines the names and values.
+// Writes the view of the stages on one clock into the address: layers, speed, reference frame, and the phases of a
+// pause. A link then shows the same picture. shell/stages.py defines the names and values.
 
-import { debounce } from "../components/lasting.js";
-import { dom } from "../components/streamlit_dom.js";
+import { debounce } from "../lasting.js";
+import { address } from "../page_address.js";
 import { finder } from "./parts.js";
 import { TURN } from "./motion.js";
 
@@ -11,14 +11,15 @@ const SPEEDS = [1, 0.5, 0.1];
 const owners = new Map(); // page and prefix → the clock to which the address belongs
 
 /**
- * Return the object that stores the view of one stage. `address_prefix` is the prefix of its names in the address. After a
- * change, `send` is called with the view, which `VIEW` in __init__.py describes.
+ * Return the object that stores the view of one stage. `address_prefix` is the prefix of its names in the address.
+ * After a change, `send` is called with the view, which `VIEW` in __init__.py describes.
  */
-export function makeKeeper(stage, { clock: name, address_prefix: prefix, layers: defaultLayers, compact }, send, signal) {
-  // The address belongs to the newest clock with this prefix. At the next stop of a lesson, a new clock ignores the settings that
-  // the clock before it has written.
+export function makeKeeper(stage, options, send, signal) {
+  const { clock: name, address_prefix: prefix, layers: defaultLayers, compact } = options;
+  // The address belongs to the newest clock with this prefix. At the next stop of a lesson, a new clock ignores the
+  // settings that the clock before it has written.
   const place = `${location.pathname} ${prefix}`, isOwner = (owners.get(place) ?? name) === name;
-  const settings = isOwner ? dom.settings() : new URLSearchParams();
+  const settings = isOwner ? address.settings() : new URLSearchParams();
   const stages = () => [...stage.clock.stages];
   const setting = (key) => settings.get(prefix + key);
   let isWriting = false; // whether this stage writes the address
@@ -27,14 +28,14 @@ export function makeKeeper(stage, { clock: name, address_prefix: prefix, layers:
   function write() {
     const join = (names) => [...names].sort().join() || "none";
     const { clock } = stage, layers = join(stage.layers);
-    const angles = stages().flatMap(({ playback: { phase, plainPhase } }) => [phase, plainPhase]);
-    const turns = angles.map((angle) => Number((angle / TURN).toFixed(6)));
+    const turns = stages().flatMap(({ playback }) => playback.hands).map((angle) => Number((angle / TURN).toFixed(6)));
     const { seenFrom: from, speed, playing } = clock, pace = playing ? stage.pace() : 0;
-    send({ layers, from, speed, pace, turns: turns.join() });
+    const rates = stages().flatMap(({ playback }) => playback.frequencies).map((each) => (pace * each) / TURN);
+    send({ layers, from, speed, rates: rates.join(), turns: turns.join() });
     // Name, value and default of each setting in the address.
     const view = [["speed", speed, 1], ["from", from, "ground"], ["paused", playing ? "" : turns.join(), ""]];
     if (!compact) view.push(["layers", layers, join(defaultLayers)]);
-    if (isWriting) dom.writeSettings(view.map(([key, ...values]) => [prefix + key, ...values]));
+    if (isWriting) address.writeSettings(view.map(([key, ...values]) => [prefix + key, ...values]));
   }
 
   const writeLater = debounce(PAUSE, write, signal);
@@ -63,7 +64,10 @@ export function makeKeeper(stage, { clock: name, address_prefix: prefix, layers:
       isWriting = true;
       writeLater();
     },
-    /** Update the address if it contains this stage's view, because a person has changed the view or the address paused it. */
+    /**
+     * Update the address if it contains this stage's view, because a person has changed the view or the address paused
+     * it.
+     */
     update: () => isWriting && stage.keeper.storeInAddress(),
   };
 }

@@ -1,11 +1,11 @@
-// The layers with a tick box: energy bars by body, velocity arrows, horizontal forces, weights and normal forces, traces of the
-// rims, coordinates. Lengths are centimetres of the picture.
+// The layers with a tick box: energy bars by body, velocity arrows, horizontal forces, traces of the rims, coordinates.
+// Lengths are centimetres of the picture.
 
-import { fill, fixed, number, withUnit } from "../components/sentences.js";
+import { fill, fixed, number, withUnit } from "../sentences.js";
 import { drawCoordinates } from "./coordinates.js";
 import {
-  BODIES, CM, CONTACTS, ROLLERS, anchors, bodyNames, displacements, forceArrow, frameValue, headOf, horizontalForces, rimTrace,
-  roundBelow, velocityArrow, verticalForces,
+  BODIES, CM, CONTACTS, ROLLERS, anchors, bodyNames, displacements, forceArrow, frameValue, headOf, horizontalForces,
+  rimTrace, roundBelow, velocityArrow,
 } from "./drawing.js";
 import { FORMULAS } from "./formulas.js";
 import { mapValues, onePeriod } from "./motion.js";
@@ -18,14 +18,17 @@ const PERIOD_POINTS = 24; // states of a period at which the largest speed and f
 const LONGEST = { speed: 1.5, force: 1.8 }; // length of the longest arrow, in radii of a roller
 const SMALLEST_RADIUS = 8; // cm, the least unit of these lengths, so that the arrows of small rollers are visible
 const LONGEST_FORCE_HEAD = 1.8; // cm
+const LETTERED = 1.4; // factor of the length of forces with letters
+const SHORTEST_LETTERED = 1; // cm, the shortest force with a visible letter
 const GAP = 1.2; // cm between an arrow and its label
 const LABEL_WIDTH = 15; // cm, at least the width of the longest label of `drawRolling`
 
 export function makeLayers(root) {
   const find = finder(root), layers = layerNames(root);
-  // `place` is the geometry from `layout`. `maxima` has the largest value of each kind of arrow, and `unitLengths` the length of
-  // an arrow of one unit [cm]. `measure` determines maxima and unit lengths when a layer first needs them.
-  let shown = new Set(), place = null, maxima, unitLengths, data = {}, seenFrom = "ground", measure = null, isLayered = false;
+  // `place` is the geometry from `layout`. `maxima` has the largest value of each kind of arrow, and `unitLengths` the
+  // length of an arrow of one unit [cm]. `measure` determines maxima and unit lengths when a layer first needs them.
+  let shown = new Set(), place = null, maxima, unitLengths, data = {}, seenFrom = "ground", measure = null;
+  let isLayered = false;
 
   const [bars, names, shares] = [".bar i", ".legend span", ".legend b"].map((each) => [...root.querySelectorAll(each)]);
   const lines = {}; // layer and name → the function that sets the line's path
@@ -36,7 +39,9 @@ export function makeLayers(root) {
     const setPath = lines[key];
     setPath(d);
   }
-  const points = mapValues(WORDS.rolling, (text) => Object.assign(element("text", {}, find(".rolling")), { textContent: text }));
+  const letters = {}; // name of a force → its letter in the picture
+  const points = mapValues(WORDS.rolling, (textContent) =>
+    Object.assign(element("text", {}, find(".rolling")), { textContent }));
 
   function geometry(newPlace, parameters) {
     place = newPlace;
@@ -67,35 +72,26 @@ export function makeLayers(root) {
     const strengths = (forces) => Object.values(forces).map(({ newtons }) => newtons);
     const speed = largest((known) => BODIES.map((name) => velocity(name, known)));
     const force = largest((known) => strengths(horizontalForces(known, place, 0)));
-    // The normal forces on a lower roller point towards each other and must not overlap.
-    const normal = (contact, known) => FORMULAS.normal_force[contact](known);
-    const onRoller = (name, known) => normal(`${name}_slab`, known) + normal(`${name}_block`, known);
-    const pair = largest((known) => ["hoop", "cylinder"].map((name) => onRoller(name, known)));
-    const load = largest((known) => ROLLERS.map((name) => FORMULAS.normal_force[`${name}_block`](known)));
-    const total = largest((known) => strengths(verticalForces(known, place, 0)));
-    maxima = { speed, force, weight: pair / 2 };
-    // The two arrows in a lower roller fit into its diameter. The arrow in the block fits into the lower step, and the arrow at
-    // the floor into the view.
-    const weight = Math.min((1.9 * place.R) / pair, place.deck / load, (0.7 * place.view.top) / total);
-    unitLengths = { speed: (LONGEST.speed * size) / speed, force: (LONGEST.force * size) / force, weight };
+    maxima = { speed, force };
+    const longestForce = LONGEST.force * (data.forces ? LETTERED : 1);
+    unitLengths = { speed: (LONGEST.speed * size) / speed, force: (longestForce * size) / force };
   }
 
   /** Draw a scale for each kind of arrow: an arrow of a round value, with the value. */
   function drawScales() {
     const { view } = place, x = view.left + 2, head = headOf(place.R);
-    // The speed's scale is at the height `first`, between the slab's marks and the top of the view; the force's is below it.
+    // The speed's scale is at the height `first`, between the slab's marks and the top of the view; the force's is
+    // below it.
     const slabTop = place.slab.bottom + place.thick, row = Math.max(1, place.R / 10);
     const first = Math.min(slabTop + 20 * row, view.top - 3.5), lowest = slabTop + 9 * row;
     const second = (first + lowest) / 2;
-    // The weight's scale is to the right of the longest force and its label, whose size grows with the view.
-    const weightX = x + LONGEST.force * Math.max(place.R, SMALLEST_RADIUS) + 0.09 * (view.right - view.left);
     const scales = {
       speed: ["m/s", (length) => [velocityArrow(x, first, length, head), x + length, first]],
       force: ["N", (length) => [forceArrow(x, second, length, head), x + length, second]],
-      weight: ["N", (length) => [forceArrow(weightX, second - length / 2, length, head, { isUpright: true }), weightX, second]],
     };
     for (const [name, [unit, drawn]] of Object.entries(scales)) {
-      const value = roundBelow(maxima[name]), [d, end, y] = drawn(value * unitLengths[name]), label = find(`.${name} text`);
+      const value = roundBelow(maxima[name]), [d, end, y] = drawn(value * unitLengths[name]);
+      const label = find(`.${name} text`);
       set(find(`.${name} path`), { d });
       set(label, { x: end + 1.5, y: -y });
       const sentence = name === "speed" && seenFrom === "block" ? WORDS.relative : "{speed}";
@@ -109,8 +105,7 @@ export function makeLayers(root) {
     if (shown.has("traces")) set(find(".traces"), { transform: `translate(${(origin - shift) * CM})` });
     if (shown.has("arrows")) drawArrows(known, shift);
     if (seenFrom === "block") drawRolling(known, shift);
-    if (shown.has("forces")) drawForces(known, shift);
-    if (shown.has("weights")) drawAll("weights", verticalForces(known, place, shift), unitLengths.weight, { isUpright: true });
+    if (shown.has("forces") || data.forces) drawForces(known, shift);
     if (shown.has("coordinates")) drawCoordinates(find(".coordinates"), known, place, shift);
     if (shown.has("energy")) drawEnergy(known, writesText);
   }
@@ -128,9 +123,11 @@ export function makeLayers(root) {
     const [home, middle] = place.centre.hoop, x = home + displacements(known, shift).hoop;
     for (const [i, [point, formula]] of Object.entries(FORMULAS.rolling).entries()) {
       const y = middle + (i - 1) * place.R, length = formula(known) * unitLengths.speed, side = length < 0 ? -1 : 1;
-      draw("rolling", point, "hoop", velocityArrow(x, y, length, headOf(place.R)) || `M${x} ${-y}h0.01`); // WebKit enlarges the dot of h0
+      const dot = `M${x} ${-y}h0.01`; // WebKit enlarges the dot of h0
+      draw("rolling", point, "hoop", velocityArrow(x, y, length, headOf(place.R)) || dot);
       // A label of an arrow to the left must begin within the view.
-      set(points[point], { x: side < 0 ? Math.max(x + length - GAP, place.view.left + LABEL_WIDTH) : x + length + GAP, y: -y });
+      const end = x + length + side * GAP, labelX = side < 0 ? Math.max(end, place.view.left + LABEL_WIDTH) : end;
+      set(points[point], { x: labelX, y: -y });
       // The label of a short arrow would jump when the arrow changes its direction.
       const visibility = formula !== FORMULAS.rolling.contact && Math.abs(length) < 1.5 ? "hidden" : "";
       Object.assign(points[point].style, { textAnchor: side < 0 ? "end" : "start", visibility });
@@ -139,7 +136,12 @@ export function makeLayers(root) {
 
   function drawForces(known, shift) {
     const forces = horizontalForces(known, place, shift);
-    drawAll("forces", forces, unitLengths.force);
+    const head = Math.min(headOf(place.R), LONGEST_FORCE_HEAD);
+    for (const [name, { body, x, y, newtons }] of Object.entries(forces)) {
+      const length = newtons * unitLengths.force;
+      draw("forces", name, body, forceArrow(x, y, length, head));
+      if (data.forces) drawLetter(name, x, y, length);
+    }
     const contact = CONTACTS[data.slipping];
     find(".slipping").style.display = contact ? "" : "none";
     if (!contact) return;
@@ -148,9 +150,15 @@ export function makeLayers(root) {
     set(find(".slipping"), { transform: `translate(${x} ${-y})` });
   }
 
-  function drawAll(layer, forces, scale, options) {
-    for (const [name, { body, x, y, newtons }] of Object.entries(forces))
-      draw(layer, name, body, forceArrow(x, y, newtons * scale, Math.min(headOf(place.R), LONGEST_FORCE_HEAD), options));
+  /** Draw the letter of a force at the head of its arrow, as in the equations; draw the step's own forces strongly. */
+  function drawLetter(name, x, y, length) {
+    const [force, body] = name.split(" "), { roller } = CONTACTS[force] ?? {};
+    const letter = (letters[name] ??= element("text", {}, find(`.forces [data-line="${name}"]`)));
+    const side = length < 0 ? -1 : 1, isVisible = roller && Math.abs(length) > SHORTEST_LETTERED;
+    set(letter, { x: x + length + side * GAP, y: -y });
+    Object.assign(letter.style, { textAnchor: side < 0 ? "end" : "start", visibility: isVisible ? "" : "hidden" });
+    if (roller) letter.textContent = (body === roller ? "" : "−") + WORDS.contact_force[force][0];
+    letter.parentNode.classList.toggle("faint", !data.forces.includes(force));
   }
 
   function drawEnergy(known, writesShares) {
@@ -167,19 +175,23 @@ export function makeLayers(root) {
     for (const name of layers) {
       for (const node of [find(`.${name}`), find(`[data-of=${name}]`)]) setVisible(node, shown.has(name));
     }
+    if (data.forces) setVisible(find(".forces"), true);
+    find(".machine").classList.toggle("lettered", Boolean(data.forces));
     setVisible(find(".rolling"), seenFrom === "block");
     find(".machine").classList.toggle("from-block", seenFrom === "block");
     setVisible(find(".speed"), shown.has("arrows") || seenFrom === "block");
-    find(".machine").classList.toggle("weighed", shown.has("weights"));
-    isLayered = [...shown].some((name) => name !== "energy");
-    find(".machine").classList.toggle("layered", isLayered);
+    isLayered = data.forces || [...shown].some((name) => name !== "energy");
+    find(".machine").classList.toggle("layered", Boolean(isLayered));
   }
   const setVisible = (node, isVisible) => node && (node.style.display = isVisible ? "" : "none");
 
   return { geometry, machine, frame, show };
 }
 
-/** Make a line in a body's colour, with a light rim so that it is visible on that body. Return a function that sets its path. */
+/**
+ * Make a line in a body's colour, with a light rim so that it is visible on that body. Return a function that sets its
+ * path.
+ */
 function makeLine(name, body, parent) {
   const group = element("g", { "data-line": name, style: `--arrow: var(--${body}-ink)` }, parent);
   const paths = ["rim", "line"].map((kind) => element("path", { class: kind }, group));

@@ -9,8 +9,8 @@ export const mapValues = (object, change) =>
 export const clamp = (value, least, most) => Math.min(most, Math.max(least, value));
 
 /**
- * Return the solution: Ω, √(k/m) and Ω²m/k; { a, b, c, d } of a + b·t + c·cos Ωt + d·sin Ωt for each coordinate; and the velocity
- * of the centre of mass.
+ * Return the solution: Ω, √(k/m) and Ω²m/k; { a, b, c, d } of a + b·t + c·cos Ωt + d·sin Ωt for each coordinate; and
+ * the velocity of the centre of mass.
  */
 export function solve(parameters, initial) {
   const Omega = FORMULAS.natural_frequency(parameters);
@@ -18,7 +18,8 @@ export function solve(parameters, initial) {
   const known = { ...parameters, ...start, Omega };
   const motion = mapValues(FORMULAS.motion, (parts) => mapValues(parts, (part) => part(known)));
   // No external force acts on the centre of mass, so its velocity depends only on the drifts b.
-  const drifts = { ...parameters, ...Object.fromEntries(Object.keys(motion).map((name) => [`${name}_dot`, motion[name].b])) };
+  const rates = Object.keys(motion).map((name) => [`${name}_dot`, motion[name].b]);
+  const drifts = { ...parameters, ...Object.fromEntries(rates) };
   return {
     Omega,
     plain: FORMULAS.plain_frequency(parameters),
@@ -28,7 +29,10 @@ export function solve(parameters, initial) {
   };
 }
 
-/** Coordinates and rates at a phase Ωt of the oscillation and a time t of the drift. A computed motion has its own cosine and sine. */
+/**
+ * Coordinates and rates at a phase Ωt of the oscillation and a time t of the drift. A computed motion has its own
+ * cosine and sine.
+ */
 export function stateAt({ Omega, motion }, phase, time, [cosine, sine] = [Math.cos(phase), Math.sin(phase)]) {
   const state = {};
   for (const [name, { a, b, c, d }] of Object.entries(motion)) {

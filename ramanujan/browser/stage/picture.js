@@ -1,10 +1,10 @@
-// The picture of one stage: sets the attributes from drawing.js on the nodes of stage.html. The layers with tick boxes are in
-// layers.js; the clock hands, gauge and readouts are in dial.js.
+// The picture of one stage: sets the attributes from drawing.js on the nodes of stage.html. The layers with tick boxes
+// are in layers.js; the clock hands, their drift and the readouts are in dial.js.
 
-import { fill, fixed, withUnit } from "../components/sentences.js";
+import { fill, fixed, withUnit } from "../sentences.js";
 import { makeDial } from "./dial.js";
 import {
-  BODIES, CM, STRETCH, centreOfMass, coil, collision, density, layout, outlines, positions, rollerWords, scenery, trailOutline,
+  BODIES, CM, STRETCH, centreOfMass, coil, collision, density, layout, outlines, positions, rollerWords, scenery,
 } from "./drawing.js";
 import { FORMULAS } from "./formulas.js";
 import { makeLayers } from "./layers.js";
@@ -13,20 +13,20 @@ import { finder } from "./parts.js";
 import { element, put, set, strip } from "./svg.js";
 import { WORDS } from "./texts.js";
 
-const TRAIL = { positions: 8, apart: TURN / 60 }; // number of past positions, and the phase between two of them
 const CHARACTER = 0.54; // width of a character of the ruler's labels, at most, relative to the picture's font size
 
 /**
  * Make the picture of a stage with these functions:
  *
- * geometry(parameters)                              draw a new radius or shape of a body
- * machine({ parameters, solution, data, playback })  draw any new parameter or computed motion
- * frame({ known, playback, shift, writesText })      draw a frame: known = parameters, state, Omega; shift [m] of the view;
- *                                                   writesText: whether the running numbers are updated, too
- * show(layers)                                      show this set of layers
- * ghosts(states)                                    draw copies of the machine in these states, for reduced motion
- * collision(known)                                  return the end of the motion in this state, or null
- * toMetres(clientX)                                 convert a pointer's x to metres along the floor
+ * - geometry(parameters): draw a new radius or shape of a body
+ * - machine({ parameters, solution, data, playback }): draw any new parameter or computed motion
+ * - frame({ known, playback, shift, writesText }): draw a frame. known: parameters, state, Omega; shift: of the view
+ *   [m]; writesText: whether the running numbers are updated, too
+ * - explainDrift(sentence): replace the sentence about the drift until the drift changes
+ * - show(layers): show this set of layers
+ * - ghosts(states): draw copies of the machine in these states, for reduced motion
+ * - collision(known): return the end of the motion in this state, or null
+ * - toMetres(clientX): convert a pointer's x to metres along the floor
  */
 export function makePicture(root, { compact, dials, narrow, limits, label }, signal) {
   const find = finder(root);
@@ -36,7 +36,6 @@ export function makePicture(root, { compact, dials, narrow, limits, label }, sig
   signal.addEventListener("abort", () => sizes.disconnect());
   let place = null; // the geometry from `layout`
   let shifted = 0; // cm, the shift of the view in the last frame
-  let trailPhase = 0; // of the last position in the trail
   let floorShown = { left: 0, right: 0, character: 0 }; // the visible ends, and the width of a character below them
 
   host.classList.toggle("compact", compact);
@@ -75,7 +74,10 @@ export function makePicture(root, { compact, dials, narrow, limits, label }, sig
   }
 
   function machine({ parameters, solution, data, clock, playback, parts: { hides } }) {
-    for (const name of BODIES) inMoving(`.${name}`).style.setProperty("--weight", density(FORMULAS.mass[name](parameters)));
+    for (const name of BODIES) {
+      const mass = FORMULAS.mass[name](parameters);
+      inMoving(`.${name}`).style.setProperty("--weight", density(mass));
+    }
     find(".plain .body").style.setProperty("--weight", density(parameters.m));
     const [left, right, top] = rollerWords(parameters);
     set(find(".picture"), { role: "img", "aria-label": fill(WORDS.picture, { left, right, top }) });
@@ -93,22 +95,9 @@ export function makePicture(root, { compact, dials, narrow, limits, label }, sig
       ".centre": { transform: `translate(${centreOfMass(known, place, shift)} -2.4)` },
     });
     if (shift * CM !== shifted) slideFloor(svg, (shifted = shift * CM), floorShown);
-    drawTrail(known, playback.phase, shift);
     if (playback.computed) drawComputed(known, playback, shift);
     layers.frame(known, shift, writesText);
     dial.frame(playback, writesText);
-  }
-
-  /** Draw faint outlines of the last positions; none after a jump in time, and none while the machine is paused. */
-  function drawTrail(known, phase, shift) {
-    const trail = find(".trail"), passed = Math.abs(phase - trailPhase);
-    if (!host.classList.contains("playing")) return trail.replaceChildren();
-    if (passed < TRAIL.apart) return;
-    trailPhase = phase;
-    if (passed > 4 * TRAIL.apart) return trail.replaceChildren();
-    const outline = trail.children.length < TRAIL.positions ? element("path") : trail.firstChild;
-    set(outline, { d: trailOutline(known, place, shift) });
-    trail.append(outline);
   }
 
   /** Return a copy of the machine in a state, without labels and without interaction. */
@@ -133,6 +122,7 @@ export function makePicture(root, { compact, dials, narrow, limits, label }, sig
     geometry,
     machine,
     frame,
+    explainDrift: dial.explain,
     show: layers.show,
     ghosts: (states) => find(".ghosts").replaceChildren(...states.map(copyMachine)),
     collision: (known) => collision(known, place),
@@ -151,9 +141,12 @@ function drawRuler(root, { floor: [from, to], view }) {
   for (let x = from; x <= to; x += STRETCH) element("text", { x, y: -0.69 * view.bottom }, ruler);
 }
 
-/** Slide the ruler under a view that has moved by `shift`. Show only the labels that the ends of the view do not cut. */
+/**
+ * Slide the ruler under a view that has moved by `shift`. Show only the labels that the ends of the view do not cut.
+ */
 function slideFloor(root, shift, { left, right, character }) {
-  const ruler = root.querySelector(".ruler"), stretches = Math.floor(shift / STRETCH), moved = stretches * STRETCH - shift;
+  const ruler = root.querySelector(".ruler");
+  const stretches = Math.floor(shift / STRETCH), moved = stretches * STRETCH - shift;
   set(ruler, { transform: `translate(${moved})` });
   for (const label of ruler.querySelectorAll("text")) {
     const x = Number(label.getAttribute("x"));

@@ -1,7 +1,7 @@
-// Moves the slab by pointer or keys, within elastic bounds.
+// Moves the slab by pointer or keys, within the bounds of x₀.
 
-import { debounce } from "../components/lasting.js";
-import { fill, number, withUnit } from "../components/sentences.js";
+import { debounce } from "../lasting.js";
+import { fill, number, withUnit } from "../sentences.js";
 import { CM } from "./drawing.js";
 import { FORMULAS } from "./formulas.js";
 import { clamp } from "./motion.js";
@@ -10,20 +10,8 @@ import { WORDS } from "./texts.js";
 import { centimetres } from "./words.js";
 
 const THRESHOLD = { mouse: 4, pen: 6, touch: 9 }; // px that a pointer must move before a click becomes a drag
-const GIVE = 0.02; // m, the largest displacement beyond a bound
 const KEY_STEP = 0.005; // m
 const KEY_PAUSE = 400; // ms from the last key stroke until x₀ is sent
-
-/**
- * The compression to draw if the pointer is at `wanted` [m]. Beyond a bound by more than `slack`, the slab lags behind the
- * pointer.
- */
-function elastic(wanted, [least, most], slack = 0) {
-  const bound = clamp(wanted, least, most);
-  const excess = Math.abs(wanted - bound) - slack;
-  if (excess <= 0) return wanted;
-  return bound + Math.sign(wanted - bound) * (slack + GIVE * (1 - Math.exp(-excess / (2 * GIVE))));
-}
 
 /** The compression after a key, or undefined for other keys. */
 function compressionAfter(key, compression, [least, most]) {
@@ -33,19 +21,17 @@ function compressionAfter(key, compression, [least, most]) {
 }
 
 /**
- * Drags the slab, and undoes the last drag. A drag begins with the first move of a pointer, or with the first key. Until it ends
- * or is cancelled, `live.isDragging` is true.
+ * Drags the slab. A drag begins with the first move of a pointer, or with the first key. Until it ends or is cancelled,
+ * `live.isDragging` is true.
  */
 export class Slab {
-  grip = null; // { id, x } of the pressed pointer; during its drag also { from, deformation, slack }
+  grip = null; // { id, x } of the pressed pointer; during its drag also { from, deformation }
   before = null; // { compression, phase, plainPhase } at the begin of the present drag
-  last = null; // `before` of the last finished drag
-  value = null; // m, x₀ at the end of the drag
 
   constructor(node, stage, signal) {
     // With equal limits x₀ cannot change.
     const fixed = stage.compact || stage.limits[0] === stage.limits[1];
-    Object.assign(this, { node, stage, fixed, button: stage.root.querySelector(".undo") });
+    Object.assign(this, { node, stage, fixed });
     stage.host.classList.toggle("fixed", fixed);
     if (fixed) return set(node, { "aria-hidden": true });
     this.letGoLater = debounce(KEY_PAUSE, () => this.letGo(), signal); // one message for a series of key strokes
@@ -70,21 +56,17 @@ export class Slab {
     if (this.grip || event.button !== 0 || !event.isPrimary) return;
     this.grip = { id: event.pointerId, x: event.clientX };
     this.node.setPointerCapture(event.pointerId);
-    event.preventDefault();
-    this.node.focus({ preventScroll: true });
   }
 
   drag({ pointerType, clientX }) {
-    const { grip, stage: { picture, limits, parameters, playback } } = this;
+    const { grip, stage: { picture, parameters, playback } } = this;
     if (grip.from === undefined) {
       if (Math.abs(clientX - grip.x) < (THRESHOLD[pointerType] ?? THRESHOLD.touch)) return;
       this.letGoLater.cancel();
-      // A slab that swings beyond its bounds is dragged from its present position.
       const deformation = FORMULAS.deformation({ ...parameters, ...playback.now() });
-      const slack = Math.abs(deformation - clamp(deformation, ...limits));
-      Object.assign(grip, { from: picture.toMetres(grip.x), deformation, slack });
+      Object.assign(grip, { from: picture.toMetres(grip.x), deformation });
     }
-    this.compress(grip.deformation + picture.toMetres(clientX) - grip.from, grip.slack);
+    this.compress(grip.deformation + picture.toMetres(clientX) - grip.from);
   }
 
   /** Release the pointer. Call `finish` if it has dragged the slab. */
@@ -113,25 +95,22 @@ export class Slab {
   }
 
   /** Show the machine at rest with the spring compressed by `wanted` [m], rounded to a step of its slider. */
-  compress(wanted, slack = 0) {
+  compress(wanted) {
     const { limits, live, playback, parameters, voice } = this.stage, { phase, plainPhase } = playback;
     if (!live.isDragging) this.before = { compression: parameters.compression, phase, plainPhase };
-    const bound = clamp(wanted, ...limits), isBeyond = bound !== wanted;
-    this.value = live.rounded(bound);
+    const bound = clamp(wanted, ...limits), value = live.rounded(bound);
     this.stage.change(() => {
-      live.drag(this.value, isBeyond ? elastic(wanted, limits, slack) : this.value);
+      live.drag(value);
       playback.reset();
     });
-    const [least, most, value] = [...limits, this.value].map(centimetres);
-    const rounded = withUnit(number(this.value * CM, 3), "cm");
-    voice.note(isBeyond ? fill(WORDS.bound, { least, most, value }) : fill(WORDS.dragged, { value: rounded }));
+    const [least, most] = limits.map(centimetres), rounded = withUnit(number(value * CM, 3), "cm");
+    voice.note(bound === wanted ? fill(WORDS.dragged, { value: rounded }) : fill(WORDS.bound, { least, most }));
   }
 
   letGo() {
     if (!this.stage.live.isDragging) return;
     this.letGoLater.cancel();
-    this.last = this.before;
-    this.stage.change(() => this.stage.live.drop(this.value));
+    this.stage.change(() => this.stage.live.drop());
   }
 
   /** Restore the state before the drag. */
@@ -141,22 +120,15 @@ export class Slab {
     this.letGoLater.cancel();
     const { compression, phase, plainPhase } = this.before;
     this.stage.change(() => {
-      live.drag(compression, null);
+      live.cancel(compression);
       Object.assign(playback, { phase, plainPhase });
     });
     voice.note(fill(WORDS.restored, { value: centimetres(compression) }));
   }
 
-  /** Restore x₀ from before the last drag, with all its digits. Return whether a drag could be undone. */
-  undo() {
-    if (this.button.hidden) return false;
-    this.stage.live.send(this.last.compression);
-    return true;
-  }
-
-  /** Describe x₀ to screen readers, and offer to undo the last drag unless x₀ has been changed since. */
+  /** Describe x₀ to screen readers, and on the slab. */
   show() {
-    const { node, fixed, value, last, button, stage: { host, limits, live, parameters } } = this;
+    const { node, fixed, stage: { host, limits, live } } = this;
     if (fixed) return;
     const [least, most, now] = [...limits, this.compression()].map((metres) => metres * CM);
     node.querySelector(".handle text").textContent = fill(WORDS.drag, { value: centimetres(this.compression()) });
@@ -172,8 +144,5 @@ export class Slab {
       "aria-valuenow": now,
       "aria-valuetext": withUnit(number(now, 3), "cm"),
     });
-    const canUndo = last && Math.abs(parameters.compression - value) < 1e-9 && Math.abs(last.compression - value) > 1e-9;
-    button.hidden = !canUndo || live.isDragging;
-    if (canUndo) button.textContent = fill(WORDS.undo, { value: centimetres(last.compression) });
   }
 }

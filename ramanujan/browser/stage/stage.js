@@ -1,12 +1,14 @@
-// The stage connects clock, playback, picture, live values and voice. The physics is in formulas.js, printed by SymPy; the texts
-// are in texts.js. __init__.py documents the data from Python.
+// The stage connects clock, playback, picture, live values and voice. The physics is in formulas.js, printed by SymPy;
+// the texts are in texts.js. __init__.py documents the data from Python.
 
-import { bus } from "../components/bus.js";
-import { observe } from "../components/lasting.js";
+import { bus } from "../bus.js";
+import { observe } from "../lasting.js";
 import { VISIBLE_PERIOD, joinClock, wake } from "./clock.js";
+import { followStage } from "./follow.js";
 import { FORMULAS } from "./formulas.js";
 import { TURN, exposures, solve } from "./motion.js";
 import { makeKeeper } from "./keeper.js";
+import { makeListener } from "./listen.js";
 import { makeParts } from "./parts.js";
 import { makePicture } from "./picture.js";
 import { Playback } from "./playback.js";
@@ -15,13 +17,17 @@ import { linkTerms } from "./terms.js";
 import { WORDS } from "./texts.js";
 import { LiveValues } from "./live_values.js";
 import { listenToControls, showControls } from "./toolbar.js";
-import { description, makeVoice, moment } from "./words.js";
+import { description, makeVoice, moment, sameDriftSentence } from "./words.js";
 
 const STEPS = 24; // presses of a step button for one period
 const TEXT_INTERVAL = 0.12; // s between two updates of the running numbers, so that they can be read
+const REMEMBERED = 100; // number of earlier machines with which a new one is compared
 const SHAPES = ["radius", "beta_hoop", "beta_cylinder", "beta_top"];
 
-export default (component, signal) => void new Stage(component, component.data, signal);
+export default (component, signal) => {
+  if (component.data.follows) followStage(component, signal);
+  else new Stage(component, component.data, signal);
+};
 
 const arrivals = new WeakMap(); // view of a class's desk → time of its arrival on this page [ms]
 
@@ -33,12 +39,14 @@ class Stage {
   screenPeriod = null; // s, the duration of a plain-mass period on the screen during a story or a race
   showsGhosts = false; // whether copies of the machine replace its motion, for a reader who prefers reduced motion
   needsDrawing = false; // whether the next frame draws the stage even if nothing moves
+  drifts = new Map(); // Ω²m/k with nine digits → parameters of the last machine with this value
   sinceText = 0; // s since the running numbers were updated
 
   constructor(component, options, signal) {
     const root = component.parentElement;
-    const { stage, watch, clock, layers, compact, limits, periods } = options;
-    Object.assign(this, { root, name: stage, clockName: clock, limits: limits.compression, compact, periods });
+    const { stage, watch, clock, layers, compact, dials, limits, periods } = options;
+    Object.assign(this, { root, name: stage, clockName: clock, limits: limits.compression });
+    Object.assign(this, { compact, dials, periods });
     this.layers = new Set(layers);
     this.host = root.querySelector(".stage");
     this.scrubber = root.querySelector(".scrub input");
@@ -46,6 +54,7 @@ class Stage {
     this.picture = makePicture(root, options, signal);
     this.parts = makeParts(root);
     this.voice = makeVoice(root, { compact, parts: this.parts, signal });
+    this.listener = makeListener(root, this, signal);
     this.slab = new Slab(root.querySelector(".body.slab"), this, signal);
     if (layers.includes("coordinates")) linkTerms(root, signal);
     this.live = new LiveValues(watch, () => this.data.parameters);
@@ -58,6 +67,7 @@ class Stage {
     const sendView = (view) => component.data.sends_view && component.setTriggerValue("view", view);
     this.keeper = makeKeeper(this, options, sendView, signal);
     signal.addEventListener("abort", () => {
+      document.body.removeAttribute("data-in-step");
       bus.forget(`seek/${stage}`); // published by other components, without an owner
       bus.forget(`time/${stage}`, this);
       bus.forget(`drawn/${stage}`, this);
@@ -70,12 +80,18 @@ class Stage {
 
   // ---- data from Python, and changes
 
-  /** Receive the data of `publish` in __init__.py. The first data also restore the view in the address and the desk's view. */
+  /**
+   * Receive the data of `publish` in __init__.py. The first data also restore the view in the address and the desk's
+   * view.
+   */
   receive(data) {
     const before = this.data;
     if (!before) Object.assign(this.clock, this.keeper.clock());
     this.hide(data.hide ?? []);
-    this.change(() => (this.data = data));
+    this.change(() => {
+      this.data = data;
+      if (before && data.releases !== before.releases) this.playback.reset();
+    });
     const { computed } = data;
     const isNewRun = before && computed && computed.run !== before.computed?.run;
     if (isNewRun) this.race(this.reducedMotion.matches ? null : computed.screen_period);
@@ -91,35 +107,39 @@ class Stage {
   }
 
   /**
-   * Show the view of a class's desk: its layers, its reference frame and its phases. The phases are advanced by the time since
-   * they were sent. `begins`: whether this stage has just received its first data. A desk also receives its own view (`own`), and
-   * applies it only in this case.
+   * Show the view of a class's desk: its layers, its reference frame and its hands. The hands are advanced by the time
+   * since they were sent, at the desk's rates, because this stage may receive the desk's machine later. `begins`:
+   * whether this stage has just received its first data. A desk also receives its own view (`own`), and applies it only
+   * in this case.
    */
   follow(view, { begins = false } = {}) {
     if (view && !arrivals.has(view)) arrivals.set(view, performance.now());
     const start = 2 * [...this.clock.stages].indexOf(this); // two numbers for each stage on the clock
-    const turns = view?.turns.split(",").slice(start, start + 2).map(Number) ?? [];
+    const numbersOf = (text) => text.split(",").slice(start, start + 2).map(Number);
+    const turns = view ? numbersOf(view.turns) : [];
     if (!this.solution || turns.length < 2 || (view.own && !begins)) return;
-    const { Omega, plain } = this.solution, { layers, from, speed, pace, ago } = view;
-    const passed = pace * (ago + (performance.now() - arrivals.get(view)) / 1000);
+    const { layers, from, speed, ago } = view;
+    const rates = numbersOf(view.rates);
+    const passed = ago + (performance.now() - arrivals.get(view)) / 1000;
     Object.assign(this.clock, { speed, seenFrom: from });
     this.picture.show((this.layers = new Set(layers.split(","))));
-    this.change(() => this.pauseAt([turns[0] * TURN + Omega * passed, turns[1] * TURN + plain * passed]));
-    this.clock.playing = pace > 0 && !this.reducedMotion.matches;
+    this.change(() => this.pauseAt(turns.map((turn, i) => (turn + rates[i] * passed) * TURN)));
+    this.clock.playing = rates[0] > 0 && !this.reducedMotion.matches;
     this.showClock();
   }
 
-  /** Pause at these phases of the machine and the plain mass; without them, do nothing. */
+  /** Pause with the hands of the machine and the plain mass at these phases; without phases, do nothing. */
   pauseAt(phases) {
     if (!phases) return;
     this.clock.playing = false;
     this.playback.goTo(phases[0]);
-    this.playback.setPlainPhase(phases[1]);
+    this.playback.plainPhase = phases[1];
   }
 
   hide(names) {
     const hidMotion = this.parts.hides("motion");
     this.parts.hide(names);
+    if (this.parts.hides("motion")) this.listener.silence();
     this.host.classList.add("ready");
     // Controls that were hidden do not show later changes.
     this.showClock();
@@ -127,8 +147,8 @@ class Stage {
   }
 
   /**
-   * Call a function that may move the bodies, and fade the picture to the new state. Without a function, show the sliders' new
-   * values, or the new reference frame.
+   * Call a function that may move the bodies, and fade the picture to the new state. Without a function, show the
+   * sliders' new values, or the new reference frame.
    */
   change(act = () => {}) {
     const before = this.solution && this.playback.drawn();
@@ -140,16 +160,45 @@ class Stage {
     Object.assign(this, { parameters, solution, shapes });
     const collision = (state) => this.picture.collision({ ...parameters, ...state });
     this.playback.setMachine({ parameters, solution, samples, computed, collision, seenFrom: this.clock.seenFrom });
+    // The graphs show a motion since one release of both machines.
+    if (this.periods) this.playback.plainPhase = solution.plain * this.playback.time;
     if (before && !this.reducedMotion.matches) this.playback.flowFrom(before);
     this.picture.machine(this);
     const normalized = this.parts.hides("numbers") ? undefined : solution.normalized;
+    this.markLockedHands();
     bus.publish(`drawn/${this.name}`, { ratio: FORMULAS.mass_ratio(parameters), normalized, parameters }, this);
+    this.listener.tune(solution);
     this.slab.show();
-    // A slider's new value is described when the server has sent it. During a drag of the slab the server sends nothing.
+    // A slider's new value is described when the server has sent it. During a drag of the slab the server sends
+    // nothing.
     const isFromServer = !Object.keys(changed).length;
     if (isFromServer || this.live.isDragging) this.voice.describe(description(solution));
+    this.compareDrifts(isFromServer);
     this.showSlowing();
     this.redraw();
+  }
+
+  /** Mark the page while the hands are locked and no story runs. */
+  markLockedHands() {
+    if (!this.dials) return;
+    const { step } = this.root.querySelector(".step").dataset;
+    // On the body, because a rule with `:has` would restyle the page at each of its changes.
+    document.body.toggleAttribute("data-in-step", step === "in-step" && !this.screenPeriod);
+  }
+
+  /**
+   * Explain why the drift is that of an earlier machine, if this machine has another k, or other masses of the same
+   * ratio. `isAtRest`: whether later machines are compared with this one.
+   */
+  compareDrifts(isAtRest) {
+    if (!this.dials || this.parts.hides("clocks") || this.parts.hides("numbers")) return;
+    const drift = this.solution.normalized.toPrecision(9), before = this.drifts.get(drift);
+    const sentence = before && sameDriftSentence(before, this.parameters);
+    if (sentence) this.picture.explainDrift(sentence);
+    if (!isAtRest) return;
+    this.drifts.delete(drift); // so that the oldest machine is the first
+    this.drifts.set(drift, this.parameters);
+    if (this.drifts.size > REMEMBERED) this.drifts.delete(this.drifts.keys().next().value);
   }
 
   period() {
@@ -167,7 +216,7 @@ class Stage {
     if (running) this.run(elapsed * this.pace());
     const fading = this.playback.fade(elapsed);
     if (running || fading || this.needsDrawing) this.draw(elapsed);
-    return running || fading || this.live.isDragging || this.live.unsent !== null;
+    return running || fading || this.live.isDragging;
   }
 
   /** The speed of the playback: seconds of the machine per second of the clock. */
@@ -175,18 +224,24 @@ class Stage {
     return this.screenPeriod ? TURN / this.solution.plain / this.screenPeriod : this.clock.speed * this.clock.slowing;
   }
 
-  /** Begin a story or a race, in which a period of the plain mass lasts `screenPeriod` seconds on the screen; null ends it. */
+  /**
+   * Begin a story or a race, in which a period of the plain mass lasts `screenPeriod` seconds on the screen; null ends
+   * it.
+   */
   setScreenPeriod(screenPeriod) {
     this.screenPeriod = screenPeriod;
     this.root.host?.toggleAttribute("data-screen-period", Boolean(screenPeriod));
-    this.playback.keepsAngle = Boolean(screenPeriod);
+    this.markLockedHands();
     if (screenPeriod) {
       this.playback.reset();
       this.setClock({ playing: true });
     } else this.showSlowing();
   }
 
-  /** Compare a computed machine with the exact one, as in `setScreenPeriod`. With null, pause at the end of the computed motion. */
+  /**
+   * Compare a computed machine with the exact one, as in `setScreenPeriod`. With null, pause at the end of the computed
+   * motion.
+   */
   race(screenPeriod) {
     this.setScreenPeriod(screenPeriod);
     if (screenPeriod) return;
@@ -226,8 +281,8 @@ class Stage {
   }
 
   /**
-   * Pause the clock, and move all of its stages. `move` is called with each playback. It returns the reason if the motion ends
-   * before the requested time, or null.
+   * Pause the clock, and move all of its stages. `move` is called with each playback. It returns the reason if the
+   * motion ends before the requested time, or null.
    */
   pauseAndMove(move) {
     this.clock.playing = false;
@@ -289,14 +344,14 @@ class Stage {
     if (writesText) this.sinceText = 0;
     const { shift, ...state } = playback.drawn();
     const known = { ...this.parameters, ...state, Omega: this.solution.Omega };
-    const { phase, time, periods } = playback;
+    const { phase, plainPhase, time, periods } = playback;
     this.picture.frame({ known, playback, shift, writesText });
     if (needsDrawing && this.showsGhosts && !this.parts.hides("motion")) {
       this.picture.ghosts(exposures(this.parameters, this.solution));
     }
     this.scrubber.value = (((phase / TURN) % 1) + 1) % 1;
     if (writesText) this.scrubber.setAttribute("aria-valuetext", moment(phase, time, this.parts));
-    bus.publish(`time/${this.name}`, { time, phase, periods, playing: this.clock.playing }, this);
+    bus.publish(`time/${this.name}`, { time, phase, plainPhase, periods, playing: this.clock.playing }, this);
     if (needsDrawing && !this.clock.playing) this.keeper.update();
   }
 
@@ -312,6 +367,9 @@ class Stage {
   showClock() {
     if (this.clock.playing) this.showsGhosts = false;
     if (!this.showsGhosts) this.picture.ghosts([]);
+    // Without motion, for example for a reader who prefers reduced motion, the tones may sound.
+    const wasPlaying = this.host.classList.contains("playing");
+    if (wasPlaying && !this.clock.playing) this.listener.silence();
     showControls(this.root, this.clock, this.layers);
     this.showSlowing();
     this.redraw();

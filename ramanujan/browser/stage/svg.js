@@ -3,7 +3,8 @@
 /** Set attributes of a node, if there is one. */
 export const set = (node, attributes) => Object.entries(attributes).forEach((each) => node?.setAttribute(...each));
 /** Set the attributes of several nodes by a table, selector → attributes. */
-export const put = (find, table) => Object.entries(table).forEach(([selector, attributes]) => set(find(selector), attributes));
+export const put = (find, table) =>
+  Object.entries(table).forEach(([selector, attributes]) => set(find(selector), attributes));
 /** Remove the attributes whose names match a pattern. */
 export const strip = (node, pattern) =>
   node.getAttributeNames().filter((name) => pattern.test(name)).forEach((name) => node.removeAttribute(name));

@@ -5,18 +5,19 @@ import { save } from "./save.js";
 import { WORDS } from "./texts.js";
 
 /**
- * Connect the controls with the methods of a stage: play(), step(by), release(), scrub(share), setClock({ speed }),
- * layer(name), slab.undo().
+ * Connect the controls with the methods of a stage: play(), listener.toggle(), step(by), release(), scrub(share), setClock({ speed }),
+ * layer(name).
  */
 export function listenToControls(root, stage, signal) {
   const all = (selector) => [...root.querySelectorAll(selector)];
   const on = (target, type, handler) => target.addEventListener(type, handler, { signal });
   const actions = {
-    restart: () => stage.release(),
+    restart: () => stage.releaseAll(),
     play: () => stage.play(),
+    listen: () => stage.listener.toggle(),
     back: () => stage.step(-1),
     forward: () => stage.step(1),
-    undo: () => stage.slab.undo(),
+    save: () => save(root),
   };
   for (const button of all("[data-do]")) on(button, "click", actions[button.dataset.do]);
   const connect = (selector, type, handler) => on(root.querySelector(selector), type, ({ target }) => handler(target));
@@ -24,12 +25,11 @@ export function listenToControls(root, stage, signal) {
   connect(".viewpoint input", "change", ({ checked }) => stage.setClock({ seenFrom: checked ? "block" : "ground" }));
   connect(".scrub input", "input", ({ value }) => stage.scrub(Number(value)));
   for (const label of all("[data-layer]")) on(label, "change", () => stage.layer(label.dataset.layer));
-  for (const button of all("[data-save]")) on(button, "click", () => save(root, button.dataset.save));
 
   on(root.querySelector(".stage"), "keydown", (event) => {
-    if ((event.ctrlKey || event.metaKey) && event.key === "z" && stage.slab.undo()) event.preventDefault();
     const inControl = event.target.closest("input, select, button, [role=slider]");
-    const action = { " ": "play", ArrowLeft: "back", ArrowRight: "forward", Home: "restart" }[event.key];
+    const keys = { Space: "play", ArrowLeft: "back", ArrowRight: "forward", Home: "restart", KeyL: "listen" };
+    const action = keys[event.code];
     if (!action || inControl || stage.parts.hides("motion") || event.ctrlKey || event.altKey || event.metaKey) return;
     event.preventDefault();
     actions[action]();
@@ -40,7 +40,8 @@ export function listenToControls(root, stage, signal) {
 
 /** Make a group of buttons a single stop for Tab; the arrow keys move within it. */
 function rove(group, on) {
-  const items = [...group.children], stopAt = (item) => items.forEach((each) => (each.tabIndex = each === item ? 0 : -1));
+  const items = [...group.children];
+  const stopAt = (item) => items.forEach((each) => (each.tabIndex = each === item ? 0 : -1));
   stopAt(items[0]);
   on(group, "focusin", (event) => stopAt(event.target));
   on(group, "keydown", (event) => {

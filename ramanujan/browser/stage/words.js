@@ -1,8 +1,9 @@
 // The sentences of a stage: the note over the picture, and announcements for the page's live region.
 
-import { bus } from "../components/bus.js";
-import { debounce } from "../components/lasting.js";
-import { fill, fixed, number, withUnit } from "../components/sentences.js";
+import { bus } from "../bus.js";
+import { debounce } from "../lasting.js";
+import { fill, fixed, number, withUnit } from "../sentences.js";
+import { driftOf } from "./dial.js";
 import { TURN } from "./motion.js";
 import { WORDS } from "./texts.js";
 
@@ -12,11 +13,21 @@ const NOTE_TIME = 3000; // ms for which a note is shown
 export const centimetres = (metres) => withUnit(fixed(metres * 100, 2).replace(/[.,]?0+$/, ""), "cm");
 
 /** A sentence about the period, and about the rate at which the hands separate. */
-export function description({ Omega, plain }) {
-  const apart = Math.abs(Omega / plain - 1); // turns between the hands after a period of the plain mass
-  const period = withUnit(number(TURN / Omega, 3), "s");
-  if (apart < 1e-12) return fill(WORDS.together, { period });
-  return fill(Omega > plain ? WORDS.faster : WORDS.slower, { period, turns: number(1 / apart, 3) });
+export function description(solution) {
+  const drift = driftOf(solution);
+  const period = withUnit(number(TURN / solution.Omega, 3), "s");
+  if (drift === 0) return fill(WORDS.together, { period });
+  return fill(drift > 0 ? WORDS.faster : WORDS.slower, { period, turns: number(1 / Math.abs(drift), 3) });
+}
+
+/**
+ * A sentence about two machines with the same drift: how a change of k alone, or of the masses alone, affects both
+ * frequencies. Null for any other change.
+ */
+export function sameDriftSentence(before, { m, k }) {
+  if ((before.m === m) === (before.k === k)) return null;
+  const factor = number(Math.sqrt(k / m / (before.k / before.m)), 3);
+  return fill(before.m === m ? WORDS.same_drift_k : WORDS.same_drift_m, { factor });
 }
 
 /** A sentence about the present time, for screen readers. */
@@ -44,7 +55,9 @@ export function makeVoice(root, { compact, parts, signal }) {
       show(sentence);
       fade();
     },
-    /** Show how many times as fast as in reality the machine moves, unless the reader has chosen this factor as `speed`. */
+    /**
+     * Show how many times as fast as in reality the machine moves, unless the reader has chosen this factor as `speed`.
+     */
     showPace(factor, speed) {
       const slow = parts.hides("numbers") ? WORDS.in_slow_motion : WORDS.slowed;
       paceSentence = factor === speed ? "" : fill(factor < speed ? slow : WORDS.lapsed, { factor: number(factor, 2) });
@@ -57,7 +70,9 @@ export function makeVoice(root, { compact, parts, signal }) {
       announced = "";
       publish(sentence, { urgent: false });
     },
-    /** Announce an event. With `once`, a repeated event, such as a collision, is announced once after each description. */
+    /**
+     * Announce an event. With `once`, a repeated event, such as a collision, is announced once after each description.
+     */
     announce(sentence, { once = false } = {}) {
       if (once && sentence === announced) return;
       if (once) announced = sentence;

@@ -1,6 +1,7 @@
 """The texts of the stage: templates that the page fills with numbers, and the texts of stage.html."""
 
-from ramanujan.translation import _
+from ramanujan.text.names import BODIES, CONTACTS, SHAPES, SPRING
+from ramanujan.text.translation import _
 
 SENTENCES = {
     "picture": _(
@@ -29,13 +30,28 @@ SENTENCES = {
     "slowed": _("Shown at {factor} times its real speed, so that the eye can follow."),
     "lapsed": _("Shown at {factor} times its real speed."),
     "start": _("Both hands start together."),
-    "close": _("The hands agree to {least} turns after {periods} periods of the plain mass."),
-    "ahead": _("The machine is {turns} turns ahead after {periods} periods of the plain mass."),
-    "behind": _("The machine is {turns} turns behind after {periods} periods of the plain mass."),
-    "before": _("The hands are {turns} turns apart {periods} periods before they meet."),
-    "parting": _("After {periods} plain-mass periods the hands are one full turn apart."),
-    "nearly": _("Nearly in step: after {periods} plain-mass periods the hands are one full turn apart."),
-    "in_step": _("In step: after a million periods the hands are less than {least} turns apart."),
+    "close": _("Now the hands agree to {least} turns."),
+    "ahead": _("Now the machine is {turns} turns ahead."),
+    "behind": _("Now the machine is {turns} turns behind."),
+    # TRANSLATORS: turns of the machine's hand, a whole number, compared with the other hand.
+    "meets_ahead": _("Now the hands meet. Full turns gained: {turns}."),
+    "meets_behind": _("Now the hands meet. Full turns lost: {turns}."),
+    "stays_ahead": _("The machine stays {turns} turns ahead, until both start together."),
+    "stays_behind": _("The machine stays {turns} turns behind, until both start together."),
+    # TRANSLATORS: the clock hand of the machine, compared with that of the plain mass; periods of the plain mass.
+    "gains": _("The machine gains one full turn in {periods} periods."),
+    "loses": _("The machine loses one full turn in {periods} periods."),
+    "in_step": _("In step: the drift is less than {least} turns in a million periods."),
+    # TRANSLATORS: legend of an arrow on the clock face, which shows the angle gained in so many periods.
+    "drift": _("drift in {periods} periods"),
+    "beats": _("{beats} beats a second: in one beat the hands part by one full turn."),
+    # TRANSLATORS: {ratio} is a number such as 1.32.
+    "two_tones": _("Two different tones: their frequencies have the ratio {ratio}."),
+    "one_tone": _("One tone: no beat, however long you listen."),
+    "sped_up": _("You hear both motions {factor} times as fast as they are."),
+    "no_sound": _("This browser plays no sound here."),
+    "same_drift_k": _("k makes both {factor} times as fast, so the drift stays the same."),
+    "same_drift_m": _("m and m′ make both {factor} times as fast, so the drift stays the same."),
     "counted": _(
         "Dashed: the computed machine. Period {period} of {periods}: {evaluations} evaluations of the force, {turns} "
         "of a turn off."
@@ -51,9 +67,8 @@ SENTENCES = {
     "struck_ahead": _("Before this time the slab hits the block. The picture stops there."),
     "dragged": _("x₀ = {value}"),
     "drag": _("↔ drag: x₀ = {value}"),
-    "bound": _("x₀ must be between {least} and {most}. It will be {value} when you let go."),
+    "bound": _("x₀ must be between {least} and {most}."),
     "restored": _("x₀ is {value} again."),
-    "undo": _("Back to x₀ = {value}"),
     "slab_slider": _("Slab: compression x₀"),
     "each": _("mass m′ each"),
     "relative": _("{speed}, relative to the block"),
@@ -65,24 +80,15 @@ SENTENCES = {
 }
 """Key → template of a sentence; the page fills the slots."""
 
-SLIPS = {
-    "hoop_slab": _("The hoop would slip on the slab: the model no longer holds."),
-    "cylinder_slab": _("The lower cylinder would slip on the slab: the model no longer holds."),
-    "hoop_block": _("The hoop would slip on the block: the model no longer holds."),
-    "cylinder_block": _("The lower cylinder would slip on the block: the model no longer holds."),
-    "top_block": _("The top cylinder would slip on the block: the model no longer holds."),
-}
+_SLIP = _("The contact {between} would slip: the model no longer holds.")
+SLIPS = {contact: _SLIP.format(between=names.between) for contact, names in CONTACTS.items()}
 """Contact → warning when it slips."""
 
-BODIES = {
-    # TRANSLATORS: bodies without an article, also inside of a sentence.
-    "block": _("block"),
-    "slab": _("slab"),
-    "spring": _("spring"),
-    "hoop": _("hoop"),
-    "shell": _("spherical shell"),
-    "cylinder": _("cylinder"),
-    "sphere": _("sphere"),
+BODY_WORDS = {
+    "block": BODIES["block"].label,
+    "slab": BODIES["slab"].label,
+    "spring": SPRING,
+    **SHAPES,
     # TRANSLATORS: {body} is hoop, spherical shell, cylinder or sphere.
     "left": _("left {body}"),
     "right": _("right {body}"),
@@ -109,8 +115,10 @@ TEXTS = {
     "dial": _("Two clock hands: each makes one full turn in one period. They stay together if both periods are equal."),
     "machine_hand": _("machine, Ω"),
     "plain_hand": _("plain mass, √(k/m)"),
-    "gauge": _("Gauge of Ω²m/k: at 1 the machine is in step with the plain mass."),
-    "in_step": _("in step"),
+    "together": _("Start together"),
+    "listen": _("Listen"),
+    "listen_hint": _("Hear both oscillations as two tones (L)"),
+    "together_hint": _("Set both hands to the start (Home)"),
     "period": _("Period"),
     "playback": _("Playback"),
     "restart_hint": _("Release again (Home)"),
@@ -126,10 +134,7 @@ TEXTS = {
     "viewpoint": _("From the block"),
     "viewpoint_hint": _("Seen from the block, which then stands still"),
     "show": _("Steps, speed, view"),
-    "save": _("Save the picture:"),
-    "svg": "SVG",
-    "png": "PNG",
-    "tikz": "TikZ",
+    "save": _("Save picture"),
 }
 """Slot of stage.html → its text."""
 
@@ -137,7 +142,6 @@ LAYERS = {
     "energy": (_("Energy"), _("Energy by body")),
     "arrows": (_("Velocities"), _("Velocity arrows")),
     "forces": (_("Forces"), _("Contact forces and spring forces")),
-    "weights": (_("Weights"), _("Weights and normal forces")),
     "traces": (_("Traces"), _("Traces of the rims")),
     "coordinates": (_("Coordinates"), _("Coordinates, and what the bodies share")),
 }
@@ -145,3 +149,5 @@ LAYERS = {
 
 In stage.html, a layer's groups have its name as class or as `data-of`.
 """
+GONE_LAYERS = ("weights",)
+"""Layers of earlier versions, which links can contain."""

@@ -2,28 +2,22 @@
 
 import math
 from collections.abc import Mapping
-from functools import partial
+from functools import cache, partial
 
 import streamlit as st
 import sympy as sp
 
-from ramanujan import Oscillator
-from ramanujan.answers import QUESTIONS, find_question
-from ramanujan.answers.questions import Question
-from ramanujan.derivation import ROUTES, Route, Step
-from ramanujan.derivation.energies import belongs_to, symbols_of_part, terms_by_part
-from ramanujan.derivation.export import to_beamer, to_latex, to_markdown, to_notebook
-from ramanujan.derivation.matrix import Modes, find_modes
+from ramanujan.derivation import ROUTES, Route
+from ramanujan.derivation.export import to_latex, to_notebook
+from ramanujan.derivation.lagrangian import belongs_to, symbols_of_part, terms_by_part
+from ramanujan.derivation.matrix import conserved_momenta, find_modes
 from ramanujan.derivation.model import COORDINATES, MOMENTA, Omega_squared, equation, machine
 from ramanujan.derivation.numbers import Numbers
 from ramanujan.derivation.order import InOrder
 from ramanujan.derivation.printers import apply_color
-from ramanujan.derivation.remarks import conserved_momenta
 from ramanujan.derivation.rows import Row, TermCommand, align_for_phone, make_row, make_rows
-from ramanujan.lesson.picture import draw_tikz
-from ramanujan.shell import theme
-from ramanujan.shell.cache import responsive, route
-from ramanujan.shell.formulas import ROOM, typeset_beside_machine
+from ramanujan.shell.equation_blocks import ROOM, typeset_beside_machine
+from ramanujan.shell.shared_cache import route
 
 _CUBE = sp.Integer(3)
 """The exponent of a cube."""
@@ -66,24 +60,7 @@ def all_routes() -> list[Route]:
     return [route(name) for name in ROUTES]
 
 
-@st.cache_data(show_spinner=False)
-def questions_of_step(name: str, number: int) -> tuple[str, ...]:
-    """Return the questions that a step of a route, counted from 0, answers for the first time."""
-    step = route(name).steps[number]
-    return tuple(question for question in QUESTIONS if _answering_step(name, find_question(question)) is step)
-
-
-def _answering_step(name: str, question: Question) -> Step | None:
-    """Return the first step of a route that answers a question, or None."""
-    if name == "euler_lagrange":
-        return route(name)[question.steps[-1]]
-    for step in route(name).steps:
-        if any(question.right in equation.args for equation in step.equations):
-            return step
-    return None
-
-
-@st.cache_resource(show_spinner=False)
+@cache
 def agrees(name: str) -> bool:
     """Return whether a route ends in the same expression as the first one. SymPy simplifies the difference to 0."""
     first = next(iter(all_routes()))
@@ -103,7 +80,7 @@ def result(numbers: Numbers | None) -> list[str]:
 @st.cache_data(show_spinner=False, max_entries=256)
 def spectrum(numbers: Numbers | None) -> tuple[list[str], str]:
     """Return the shapes of the three modes, the oscillating one first, and the conserved momenta of the zero modes."""
-    all_modes = _modes()
+    all_modes = find_modes(machine())
     symbols = dict(zip(COORDINATES, MOMENTA, strict=True))
     momenta = [make_row(equation(symbols[q], momentum), numbers) for q, momentum in conserved_momenta().items()]
     shapes = [make_row(equation("v", shape), numbers).latex for shape in (all_modes.mode_shape, *all_modes.zero_modes)]
@@ -115,8 +92,6 @@ def document(
     name: str,
     numbers: Numbers | None,
     kind: str,
-    radius_and_compression: tuple[float, float] | None = None,
-    step: int | None = None,
     *,
     equal_masses: bool = False,
 ) -> str:
@@ -127,23 +102,11 @@ def document(
     name : name of the route
     numbers : numbers to insert, or None for symbols
     kind : a key of `FILES` on the page. A notebook is always for any masses.
-    radius_and_compression : of the machine on the slides [m]
-    step : number of the step for the kind "step", counted from 1
     equal_masses : whether m′ = m
     """
     chosen_route = route(name, equal_masses and kind != "notebook")
-    if radius_and_compression and kind in ("slides", "step"):
-        radius, compression = radius_and_compression
-        picture = draw_tikz(Oscillator(radius=radius), compression, theme.paper_colors())
-        return to_beamer(chosen_route, numbers, picture, step)
-    write = {"latex": to_latex, "markdown": to_markdown, "notebook": to_notebook}[kind]
+    write = {"latex": to_latex, "notebook": to_notebook}[kind]
     return write(chosen_route, numbers)
-
-
-@st.cache_resource(show_spinner=False)
-@responsive()
-def _modes() -> Modes:
-    return find_modes(machine())
 
 
 def _row(

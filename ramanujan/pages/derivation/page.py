@@ -6,21 +6,24 @@ from typing import Any
 import streamlit as st
 
 from ramanujan import UNIT_MASS_RATIO
-from ramanujan.browser import components, stage
-from ramanujan.browser.roles import container
+from ramanujan.answers import QUESTIONS, find_question
+from ramanujan.browser import stage
+from ramanujan.browser.components import keys, turn
+from ramanujan.browser.containers import container
 from ramanujan.derivation import ROUTES, Step
-from ramanujan.derivation.energies import PARTS
+from ramanujan.derivation.newton import named_forces
 from ramanujan.derivation.nomenclature import DOTS
 from ramanujan.derivation.numbers import Numbers, state_numbers
-from ramanujan.derivation.remarks import list_remarks
+from ramanujan.derivation.remarks import REMARKS
 from ramanujan.pages.derivation import cache
-from ramanujan.pages.derivation.modes import MODES, draw_modes
-from ramanujan.shell import address, display_mode, messages, navigation, sidebar, stages, theme, widgets
-from ramanujan.shell.cache import responsive, symbols
+from ramanujan.pages.derivation.normal_modes import MODES, draw_modes
+from ramanujan.shell import address, display_mode, menu, messages, sidebar, stages, theme, widgets
 from ramanujan.shell.display_mode import columns, slide
 from ramanujan.shell.sections.cubes import draw_stacks
-from ramanujan.shell.sections.questions import QUESTION, draw_question, draw_section, find_title, is_solved, judge_typed
-from ramanujan.translation import _
+from ramanujan.shell.sections.typed_answer import QUESTION, draw_section
+from ramanujan.shell.shared_cache import symbols
+from ramanujan.text.names import PARTS
+from ramanujan.text.translation import _
 
 # Largest number of a step in the address.
 LONGEST_ROUTE = 99
@@ -32,16 +35,14 @@ MASSES = address.Choice("masses", {"any": _("Any masses"), "equal": _("Equal mas
 STEP = address.Count("step", LONGEST_ROUTE)
 URL_PARAMETERS = (ROUTE, VIEW, VALUES, MASSES, STEP, QUESTION, *MODES)
 
-FOLDED_PARAMETERS = ("compression",)
 # Height of a step in a lecture [px], as in page.css.
 _STEP_HEIGHT = 368
 
+# The keys of the steps that answer a question of the section “Try it yourself”.
+ASKED = {find_question(name).steps[-1] for name in QUESTIONS}
 # Kind of a file → its label, the end of its name, and its media type.
 FILES = {
     "latex": ("LaTeX", "tex", "application/x-tex"),
-    "slides": (_("LaTeX slides (beamer)"), "slides.tex", "application/x-tex"),
-    "step": (_("This step as slides"), "step.tex", "application/x-tex"),
-    "markdown": ("Markdown", "md", "text/markdown"),
     "notebook": (_("Notebook"), "ipynb", "application/x-ipynb+json"),
 }
 
@@ -72,7 +73,7 @@ def show() -> None:
         draw_notes_on_paper()
     with slide("try", _("Try it yourself")):
         draw_section()
-    components.return_focus("route", "show", "values", "masses")
+    keys.return_focus("route", "show", "values", "masses")
     if not setting.numbers:
         sidebar.set_dependent_fragments("beside", "results", "modes", "asked_machine")
 
@@ -86,6 +87,10 @@ def draw_route() -> Setting:
     with slide("lecture", _("The steps")):
         st.title(_("Many ways to one frequency"), anchor=False)
         head = st.container(horizontal=True, vertical_alignment="center", key="choices")
+        # Above machine and steps, because a warning between them would push the machine away.
+        if address.current(STEP) > len(setting.steps):
+            messages.warn(address.Count(STEP.name, len(setting.steps)).message())
+            select_first_step()
         with container("route", "lecture" if setting.is_lecture else "reading"):
             picture, steps = st.container(), st.container()
         with picture:
@@ -106,13 +111,17 @@ def draw_route() -> Setting:
 
 def read_setting() -> Setting:
     """Return the values of the options. The projector view shows one step at a time."""
-    in_numbers = address.current(VALUES) == "numbers" and not display_mode.hides("numbers")
     is_lecture = address.current(VIEW) == "lecture" or display_mode.is_projector()
     equal_masses = address.current(MASSES) == "equal"
-    numbers = current_numbers() if in_numbers else None
+    numbers = current_numbers() if uses_sidebar() else None
     if numbers and equal_masses:
         numbers = numbers.with_equal_masses
     return Setting(address.current(ROUTE), is_lecture, equal_masses, numbers)
+
+
+def uses_sidebar() -> bool:
+    """Return whether the equations contain the numbers of the sliders; equations in symbols hold for any numbers."""
+    return address.current(VALUES) == "numbers" and not display_mode.hides("numbers")
 
 
 def current_numbers() -> Numbers:
@@ -159,14 +168,17 @@ def turn_pages(setting: Setting) -> None:
     """
     address.update(STEP)
     machine = sidebar.oscillator()
+    steps = shown_steps = setting.steps
     if setting.is_lecture:
-        steps = setting.steps
         headings = [step.heading for step in steps]
-        components.steps(setting.route, headings, select_step, has_onward_link=steps[-1].key == "root")
+        turn.mount_lecture(setting.route, headings, select_step, has_onward_link=steps[-1].key == "root")
         current_step = steps[min(address.current(STEP), len(steps)) - 1]
+        shown_steps = (current_step,)
         if current_step.key == "root":
             machine = replace(machine, m_prime=UNIT_MASS_RATIO * machine.m)
-    stages.publish(stage.payload(machine, sidebar.compression()), key="beside", more=sidebar.collect_box_messages())
+    forces = named_forces(equation for step in shown_steps for equation in step.equations)
+    payload = stage.payload(machine, sidebar.compression(), forces=forces or None)
+    stages.publish(payload, key="beside", more=sidebar.collect_box_messages())
 
 
 # ---- the steps
@@ -175,15 +187,12 @@ def turn_pages(setting: Setting) -> None:
 def draw_steps(setting: Setting) -> None:
     """Draw the steps of the route. The page of a lecture shows one of them."""
     steps = len(setting.steps)
-    if address.current(STEP) > steps:
-        messages.warn(address.Count(STEP.name, steps).message())
-        select_first_step()
     address.update(STEP)
     if not setting.is_lecture:
         for number in range(1, steps + 1):
             draw_step(setting, number)
         return
-    # The hidden steps leave no gaps. page.css hides them, and steps.js shows one.
+    # The hidden steps leave no gaps. page.css hides them, and turn.js shows one.
     with st.container(key="lecture", gap=None):
         for number in range(1, steps + 1):
             with container("step", str(number)):
@@ -202,41 +211,20 @@ def draw_step(setting: Setting, number: int) -> None:
         equal_masses=setting.equal_masses,
         wide=display_mode.is_projector(),
     )
-    is_last = setting.steps[number - 1].key == "root"
+    step = setting.steps[number - 1]
+    is_last = step.key == "root"
     if is_last:
         with st.container(key="figure"):
             draw_stacks()
     st.markdown(f"## {number}. {heading}\n\n{reason}")
-    questions: tuple[str, ...] = ()
-    if not (setting.numbers or setting.equal_masses or display_mode.is_projector()):
-        questions = cache.questions_of_step(setting.route, number - 1)
-    draw_equations(f"{setting.route}_{number}", wide, narrow, questions)
+    widgets.equations(f"{setting.route}_{number}", wide, narrow)
+    if step.key in ASKED and setting.is_lecture and not display_mode.is_projector():
+        with st.container(key=f"try_link_{number}"):
+            st.markdown(_("Would you like to work out a result on your own? [Try it yourself](#try)."))
     if is_last:
-        onward = navigation.PAGES["taxicab"]
+        onward = menu.PAGES["taxicab"]
         with st.container(key="onward"):
             st.page_link(onward.file, label=_("Why 1729? Go on to its page"), icon=f":material/{onward.icon}:")
-
-
-@st.fragment
-def draw_equations(step: str, wide: str, narrow: str, questions: tuple[str, ...]) -> None:
-    """Draw the equations of a step. If the visitor wants to type an answer first, draw them after the right answer.
-
-    Parameters
-    ----------
-    step : key of the step: the route and the number of the step
-    wide, narrow : the equations for a window and for a phone
-    questions : names of the questions that the step answers
-    """
-    route = step.rpartition("_")[0]
-    if questions and st.toggle(_("Type it yourself first"), key=f"first_{route}_{questions[0]}"):
-        name = questions[0]
-        if len(questions) > 1:
-            name = st.selectbox(_("Which one?"), questions, format_func=find_title, key=f"asked_{route}_{name}")
-        judge_typed(name, route)
-        draw_question(name, with_step=False, route=route)
-        if not is_solved(name):
-            return
-    widgets.equations(step, wide, narrow)
 
 
 def explain_symbols(setting: Setting) -> None:
@@ -250,24 +238,13 @@ def explain_symbols(setting: Setting) -> None:
 
 @st.fragment
 def offer_files(setting: Setting) -> None:
-    """Offer the route and the current step as files, which are written when the popover opens."""
-    radius_and_compression = sidebar.oscillator().radius, sidebar.compression()
+    """Offer the route as files, which are written when the popover opens."""
     name = f"ramanujan-{setting.route}-numbers" if setting.numbers else f"ramanujan-{setting.route}"
     with st.popover(_("Download this route"), icon=":material/download:", key="files", on_change="rerun") as files:
         for kind, (label, suffix, mime) in FILES.items():
-            if kind == "step" and not setting.is_lecture:
-                continue
             content = ""
             if files.open:
-                step = address.current(STEP) if kind == "step" else None
-                content = cache.document(
-                    setting.route,
-                    setting.numbers,
-                    kind,
-                    radius_and_compression,
-                    step,
-                    equal_masses=setting.equal_masses,
-                )
+                content = cache.document(setting.route, setting.numbers, kind, equal_masses=setting.equal_masses)
             widgets.download(label, content, f"{name}.{suffix}", mime, key=f"file_{kind}", disabled=not files.open)
 
 
@@ -287,7 +264,7 @@ def compare_routes() -> None:
             for route in cache.all_routes():
                 agrees = cache.agrees(route.name)
                 st.page_link(
-                    navigation.PAGES["derivation"].file,
+                    menu.PAGES["derivation"].file,
                     label=_("{route}, {n} steps").format(route=route.title, n=len(route.steps)),
                     icon=":material/check:" if agrees else ":material/close:",
                     query_params={ROUTE.name: route.name},
@@ -296,17 +273,13 @@ def compare_routes() -> None:
 
 
 def draw_notes_on_paper() -> None:
-    """Draw the notes on the paper. They are checked when the expander opens."""
-    notes = st.expander(_("Notes on the paper: a few lines to correct"), key="margin", on_change="rerun")
-    if not notes.open:
-        return
-    with notes, st.spinner(_("Checking each line …")), responsive():
+    """Draw the notes on the paper."""
+    with st.expander(_("Notes on the paper: a few lines to correct"), key="margin"):
         st.markdown(_("The paper’s main result is right. SymPy has checked each of these notes on its details."))
-        for note in list_remarks():
-            mark = _(":green[:material/check: checked]") if note.holds else _(":red[:material/close: not confirmed]")
+        for remark in REMARKS:
             st.markdown(
-                _("**{where}** {mark}\\\nThe paper has: {printed}\\\nBetter: {correct}\\\n{note}").format(
-                    where=note.where, mark=mark, printed=note.printed, correct=note.correct, note=note.note
+                _("**{where}**\\\nThe paper has: {printed}\\\nBetter: {correct}\\\n{note}").format(
+                    where=remark.where, printed=remark.printed, correct=remark.correct, note=remark.note
                 )
             )
 

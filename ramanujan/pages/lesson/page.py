@@ -3,21 +3,27 @@
 Before a prediction the answer is neither drawn nor sent to the browser (`stops`).
 """
 
+from functools import partial
+
 import streamlit as st
 
 from ramanujan import lesson
-from ramanujan.browser import components
-from ramanujan.pages.lesson import classroom, progress, stops, wall
-from ramanujan.shell import address, class_session, sidebar, widgets
+from ramanujan.browser.components import keys, turn
+from ramanujan.classroom.rules import Phase
+from ramanujan.pages.classroom import desk, door, phone, wall
+from ramanujan.pages.lesson import stops
+from ramanujan.shell import address, class_session, progress, sidebar, widgets
 from ramanujan.shell.display_mode import columns, is_projector, slide
-from ramanujan.shell.navigation import PAGES
+from ramanujan.shell.menu import PAGES
 from ramanujan.shell.sections import exercise, tasks
-from ramanujan.translation import _, ngettext
+from ramanujan.text.translation import _, ngettext
 
 URL_PARAMETERS = (*progress.URL_PARAMETERS, *tasks.URL_PARAMETERS, *exercise.URL_PARAMETERS)
 # Numbers of stops on a slide of the projector view: with their notes, and with their results.
 _NOTES_PER_SLIDE, _RESULTS_PER_SLIDE = 3, 9
 ENDING = _("What you have seen")
+# A style rule that hides the drawer of sliders. In page.css it would need :has(), which is slow.
+WITHOUT_DRAWER = "<style>:root:root:root { --drawer: 0px; --drawer-content: none; }</style>"
 _ONWARDS = {
     "oscillator": _("Look for the ratio in step yourself, on the page Oscillator"),
     "derivation": _("Derive Ω² step by step, on the page Derivation"),
@@ -26,10 +32,25 @@ _ONWARDS = {
 }
 
 
+def draw_header() -> bool:
+    """Draw the slider of m′ if the stop asks for it, and return whether it does. The style sheet places it last."""
+    class_session.restore_role()
+    stop = find_current_stop()
+    is_reader = not (class_session.student_seat() or class_session.wall_code() or is_projector())
+    if not (stop and stop.sliders and is_reader and stops.is_running(read_prediction(stop)[1])):
+        return False
+    withheld = withheld_presets()
+    with st.container(key="stop_slider"):
+        st.markdown(stop.sliders)
+        sidebar.draw_slider("m_prime", snaps=not withheld)
+    sidebar.draw(withheld, PAGES["lesson"].folded_parameters, placed=("m_prime",))
+    return True
+
+
 def show() -> None:
     """Draw the page."""
-    classroom.draw_phone(stops.draw_observation)
-    wall.draw_wall()
+    phone.draw_phone(stops.draw_observation)
+    wall.draw_wall(stops.draw_observation)
     items = address.current(exercise.EXERCISE)
     if items:
         exercise.draw_exercise(items)
@@ -44,65 +65,80 @@ def draw_parts() -> None:
     with st.container(horizontal=True, vertical_alignment="center", gap="medium", key="lesson_head"):
         part = widgets.segmented_control(progress.PART, _("Part of the lesson"), label_visibility="collapsed")
         head = st.container(key="turner")
-        classroom.draw_door()
+        door.draw_door()
     {"stops": draw_stops, "tasks": draw_task, "notes": draw_notes}[part](head)
-    components.return_focus("part")
+    keys.return_focus("part")
 
 
 def uses_sidebar() -> bool:
-    """Return whether the reader sets the machine: in a task or exercise, or on request at a stop."""
-    return (
-        address.current(progress.PART) == "tasks"
-        or bool(address.current(exercise.EXERCISE))
-        or stops.are_sliders_open()
-    )
+    """Return whether the reader sets the machine, in a task or exercise."""
+    return address.current(progress.PART) == "tasks" or bool(address.current(exercise.EXERCISE))
 
 
 def withheld_presets() -> tuple[str, ...]:
     """Return the presets that the sidebar omits: all, except at a stop whose right answer is visible."""
     # The sidebar is drawn before the page. In the first run the role is still only in the address.
     class_session.restore_role()
-    if address.current(exercise.EXERCISE):
-        return tuple(sidebar.PRESETS)
-    name = address.current(progress.STOP)
-    is_at_stop = address.current(progress.PART) == "stops" and name != progress.END
-    if is_at_stop and not class_session.student_seat() and stops.is_answered(lesson.find_stop(name)):
+    stop = find_current_stop()
+    if stop and not class_session.student_seat() and read_prediction(stop)[1] == progress.ANSWERED:
         return ()
     return tuple(sidebar.PRESETS)
 
 
+def find_current_stop() -> lesson.Stop | None:
+    """Return the stop on the page; None in another part of the lesson, in an exercise and at the end."""
+    name = address.current(progress.STOP)
+    is_at_stop = address.current(progress.PART) == "stops" and name != progress.END
+    return lesson.find_stop(name) if is_at_stop and not address.current(exercise.EXERCISE) else None
+
+
+def read_prediction(stop: lesson.Stop) -> tuple[str | None, str]:
+    """Return the reader's prediction and the phase of a stop, as `progress.read_prediction`.
+
+    The lecturer's page follows the phase of the class and ignores the lecturer's own prediction.
+    """
+    class_phase = class_session.find_class_phase(stop)
+    if class_phase is None:
+        return progress.read_prediction(stop)
+    phases = {Phase.RUNNING: progress.MISSED, Phase.SOLVED: progress.ANSWERED}
+    return None, phases.get(class_phase, progress.ASKED)
+
+
 def draw_stops(head: st.delta_generator.DeltaGenerator) -> None:
     """Draw the current stop or the end, and at the top the buttons that select another one."""
+    st.html(WITHOUT_DRAWER)
     path = progress.list_stops()
     ids = [*(stop.id for stop in path), progress.END]
     number = ids.index(address.current(progress.STOP)) + 1
 
     def go_to(new_number: int) -> None:
-        is_forward = new_number > number
-        if is_forward and number <= len(path) and stops.needs_confirmation(path[number - 1]):
-            return
         select_stop(ids[new_number - 1])
 
     with head:
         # At the desk of a class, the keys of a clicker press the buttons of the desk (`classroom`).
-        components.turn(
+        turn.mount_lesson(
             [*(stop.heading for stop in path), ENDING],
             number,
             go_to,
             page_keys_turn=not class_session.lecturer_key(),
-            refusal=stops.confirmed_stop(),  # It changes whenever `go_to` refuses a turn.
         )
     if number <= len(path):
-        stops.draw(path[number - 1], number)
+        draw_stop(path[number - 1], number)
     elif class_session.lecturer_key():
-        classroom.draw_end()
+        desk.draw_end()
     else:
         draw_end(path)
 
 
+def draw_stop(stop: lesson.Stop, number: int) -> None:
+    """Draw the stop with this number, for a reader or at the lecturer's desk."""
+    class_phase = class_session.find_class_phase(stop)
+    draw_desk = None if class_phase is None else partial(desk.draw_desk, stop, class_phase)
+    stops.draw(stop, number, *read_prediction(stop), draw_desk=draw_desk)
+
+
 def select_stop(name: str) -> None:
     """Callback: select a stop or the end."""
-    stops.clear_confirmation()
     st.session_state[progress.STOP.name] = name
     if name != progress.END:
         stop = lesson.find_stop(name)

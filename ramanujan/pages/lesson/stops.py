@@ -5,6 +5,7 @@ stage receives neither the parts in `stop.hides` nor a computed motion. The expl
 """
 
 import math
+from collections.abc import Callable
 from contextlib import AbstractContextManager
 from functools import partial
 from typing import Any
@@ -12,18 +13,17 @@ from typing import Any
 import streamlit as st
 
 from ramanujan import Oscillator, drawn_spacing
-from ramanujan.browser import components, stage
-from ramanujan.browser.roles import container
-from ramanujan.contact import first_to_slip
+from ramanujan.browser import stage, topics
+from ramanujan.browser.components import moment
+from ramanujan.browser.containers import container
 from ramanujan.lesson import Run, Stop
-from ramanujan.lesson.classes import Phase
 from ramanujan.number_theory import BODIES
-from ramanujan.pages.lesson import classroom, progress
-from ramanujan.shell import class_session, display_mode, messages, sidebar, stages, widgets
+from ramanujan.physics.contact import first_to_slip
+from ramanujan.shell import class_session, display_mode, messages, progress, sidebar, stages, widgets
 from ramanujan.shell.display_mode import slide
-from ramanujan.shell.navigation import PAGES
+from ramanujan.shell.menu import PAGES
 from ramanujan.shell.parameters import PARAMETERS
-from ramanujan.translation import _
+from ramanujan.text.translation import _
 
 _PLACES = ("hoop", "cylinder", "top")
 """Names of the three rollers in the data of a stage: left, right and top, whatever their shape."""
@@ -31,15 +31,12 @@ _SEVERAL = {2: "several-2", 3: "several-3"}
 """Number of machines → their arrangement in the style sheets."""
 _LOADED = "lesson_loaded"
 """Session state: the stop whose machine was last loaded into the sliders, and whether its machine was running."""
-_CONFIRMED = "lesson_confirmed"
-"""Session state: the stop at which the confirmation for an unchecked prediction was shown."""
-_SLIDERS = "lesson_sliders"
-"""Session state: how often the reader has opened the sliders."""
 
 
 def load_machine(stop: Stop, running: bool) -> None:
-    """Set the sliders to the machine of a stop in the next run."""
+    """Set the sliders to the machine of a stop in the next run, and release it."""
     st.session_state[_LOADED] = (stop.id, running)
+    stages.release()
     sidebar.request_machine(choose_machine(stop, running), stop.compression)
 
 
@@ -65,60 +62,26 @@ def is_running(phase: str) -> bool:
 
 def set_prediction(stop: Stop, option: str | None, phase: str) -> None:
     """Callback: make, delete or advance a prediction."""
-    clear_confirmation()
     progress.predict(stop, option, phase)
     load_machine(stop, is_running(phase))
 
 
-def needs_confirmation(stop: Stop) -> bool:
-    """Return whether the reader has to confirm that a prediction stays unchecked. This is True only once for a stop."""
-    _option, phase = progress.read_prediction(stop)
-    is_unchecked = phase == progress.PREDICTED and class_session.find_class_phase(stop) is None
-    if not is_unchecked or confirmed_stop() == stop.id:
-        return False
-    st.session_state[_CONFIRMED] = stop.id
-    return True
+def draw(
+    stop: Stop, number: int, chosen: str | None, phase: str, *, draw_desk: Callable[[], None] | None = None
+) -> None:
+    """Draw a stop.
 
-
-def confirmed_stop() -> str:
-    """Return the stop whose confirmation was shown; an empty text if there is no such stop."""
-    return st.session_state.get(_CONFIRMED, "")
-
-
-def clear_confirmation() -> None:
-    """Allow the confirmation to appear again."""
-    st.session_state.pop(_CONFIRMED, None)
-
-
-def are_sliders_open() -> bool:
-    """Return whether the reader has opened the sliders."""
-    return _SLIDERS in st.session_state
-
-
-def _open_sliders() -> None:
-    """Callback: open the sliders of the sidebar. Each new count makes the page show them again."""
-    st.session_state[_SLIDERS] = st.session_state.get(_SLIDERS, 0) + 1
-
-
-def is_answered(stop: Stop) -> bool:
-    """Return whether the page may show the right answer: on the reader's request, or after the class has seen it."""
-    class_phase = class_session.find_class_phase(stop)
-    if class_phase is not None:
-        return class_phase == Phase.SOLVED
-    _option, phase = progress.read_prediction(stop)
-    return phase == progress.ANSWERED
-
-
-def draw(stop: Stop, number: int) -> None:
-    """Draw the stop with this number."""
-    class_phase = class_session.find_class_phase(stop)
-    chosen, phase = progress.read_prediction(stop)
-    if class_phase is not None:
-        # The lecturer's page follows the phase of the class and ignores the lecturer's own prediction.
-        phase = {Phase.RUNNING: progress.MISSED, Phase.SOLVED: progress.ANSWERED}.get(class_phase, progress.ASKED)
+    Parameters
+    ----------
+    stop : the stop
+    number : its number in this lesson
+    chosen : the option that the reader has selected, or None
+    phase : the phase of the stop (see `progress`)
+    draw_desk : function that draws the lecturer's desk of a class, instead of options and verdict
+    """
     running = is_running(phase)
     # In the projector view the running machine and the reason have their own slide.
-    has_own_slide = display_mode.is_projector() and (running or (class_phase is not None and not stop.exhibit))
+    has_own_slide = display_mode.is_projector() and (running or (draw_desk is not None and not stop.exhibit))
     with slide("question", stop.heading):
         # In the projector view the question needs the full width, but an exhibit needs the full height.
         above = st.container() if display_mode.is_projector() and not stop.exhibit else None
@@ -130,7 +93,10 @@ def draw(stop: Stop, number: int) -> None:
             st.title(f"{number}. {stop.heading}", anchor=False)
             st.markdown(stop.question)
         with words:
-            _draw_answers(stop, chosen, class_phase, phase, with_options=has_own_slide)
+            if draw_desk:
+                draw_desk()
+            else:
+                _draw_answers(stop, chosen, phase, with_options=has_own_slide)
     if has_own_slide:
         with slide("machine", _("The machine")):
             _words, picture, reason = draw_containers(stop, running)
@@ -138,34 +104,23 @@ def draw(stop: Stop, number: int) -> None:
         if phase == progress.ANSWERED:
             draw_explanation(stop)
     load_new_machine(stop, running)
-    if not (stop.exhibit or display_mode.is_projector()):
+    # A machine with a label does not follow the sliders. The desk needs its room for the votes.
+    if not (stop.exhibit or stop.runs[0].label or draw_desk or display_mode.is_projector()):
         with reason, st.container(key="lesson_caption"):
-            _draw_caption(stop, running)
+            st.markdown(f":small[{_write_caption(stop, running)}]")
     with picture:
         # A message of the desk's stage reruns only this fragment.
         st.fragment(draw_observation)(stop, running)
 
 
-def _draw_answers(stop: Stop, chosen: str | None, class_phase: Phase | None, phase: str, *, with_options: bool) -> None:
-    """Draw the lecturer's desk, the options, or the chosen option with its verdict."""
-    if class_phase is not None:
-        classroom.draw_desk(stop, class_phase)
-    elif chosen is None:
+def _draw_answers(stop: Stop, chosen: str | None, phase: str, *, with_options: bool) -> None:
+    """Draw the options, or the chosen option with its verdict."""
+    if chosen is None:
         draw_options(stop)
     else:
         if with_options:
             st.markdown("\n".join(f"- {label}" for label in stop.options.values()))
         draw_verdict(stop, chosen, phase)
-
-
-def _draw_caption(stop: Stop, running: bool) -> None:
-    """Draw the caption about the sliders and the picture, and after the run a button that opens the sliders."""
-    caption = stop.sliders if running and stop.sliders else _write_caption(stop, running)
-    st.markdown(f":small[{caption}]")
-    if running and not stop.runs[0].label:
-        st.button(_("Change it with the sliders"), key=f"sliders_{stop.id}", on_click=_open_sliders)
-    if are_sliders_open():
-        components.publish("sliders", {"sliders": st.session_state[_SLIDERS]})
 
 
 def draw_observation(stop: Stop, running: bool, fixed: bool = False) -> None:
@@ -198,10 +153,12 @@ def draw_containers(
 
 def _arrangement(stop: Stop, running: bool) -> str:
     """Return the key with which the style sheets select the size of the picture."""
-    if len(stop.runs) > 1 and running:
-        return _SEVERAL[len(stop.runs)]
+    if len(stop.runs) > 1:
+        return _SEVERAL[len(stop.runs)] if running else f"first-of-{len(stop.runs)}"
     # Beside dials or an exhibit, the machine has only a part of the height.
-    return "part" if stop.shows_dials or stop.exhibit else "one"
+    if stop.shows_dials or stop.exhibit:
+        return "part"
+    return "energy" if "energy" in stop.layers else "one"
 
 
 def draw_options(stop: Stop) -> None:
@@ -226,8 +183,6 @@ def draw_verdict(stop: Stop, chosen: str, phase: str) -> None:
     # On a phone this part is above the machine.
     with container("lead", "verdict"):
         if phase == progress.PREDICTED:
-            if confirmed_stop() == stop.id:
-                st.info(_("You have not checked your prediction yet. Press “Next” again to go on without."))
             st.markdown(prediction)
             _draw_moves(stop, chosen, stop.observation, progress.ANSWERED if is_right else progress.MISSED)
             return
@@ -243,7 +198,7 @@ def draw_verdict(stop: Stop, chosen: str, phase: str) -> None:
             st.markdown(f"{prediction}\\\n{stop.reply(chosen)}")
             st.markdown(_(":green[:material/check_circle: **Right answer:**] {option}").format(option=sentence))
     # The clicked button has disappeared with the focus, so announce the result to a screen reader.
-    components.publish(f"verdict_{stop.id}", {"announce": {"sentence": sentence, "urgent": True}})
+    topics.publish(f"verdict_{stop.id}", {"announce": {"sentence": sentence, "urgent": True}})
 
 
 def _draw_moves(stop: Stop, chosen: str, label: str, phase: str) -> None:
@@ -270,7 +225,7 @@ def _draw_hands_button(stop: Stop) -> None:
     machine = sidebar.oscillator()
     time = stop.periods * 2 * math.pi * math.sqrt(machine.m / machine.k)
     label = _("Show the hands after {n} periods").format(n=stop.periods)
-    components.moment(f"stage_{stop.id}_0", time, label)
+    moment.mount(f"stage_{stop.id}_0", time, label)
 
 
 def draw_machines(stop: Stop, running: bool, fixed: bool) -> None:
@@ -279,6 +234,8 @@ def draw_machines(stop: Stop, running: bool, fixed: bool) -> None:
     hidden = {*stop.hides, *stage.LAYERS}
     if running:
         hidden = set(stage.LAYERS).difference(stop.layers)
+    if not stop.shows_dials:
+        hidden.add("plain")
     # A machine with a label belongs to the stop. One without a label follows the sliders.
     is_labelled = bool(stop.runs[0].label)
     options: dict[str, Any] = {}
@@ -323,9 +280,7 @@ def make_payload(run: Run, machine: Oscillator, compression: float, running: boo
 
 
 def _write_caption(stop: Stop, running: bool) -> str:
-    """Return the caption about the sliders and the picture."""
-    if stop.runs[0].label:
-        return _("The sliders do not change what is shown here.")
+    """Return the caption with the masses and the stiffness of the machine."""
     machine = choose_machine(stop, running)
     if not sidebar.shows_machine(machine, stop.compression):
         # TRANSLATORS: {machine} is a list such as: m = 1 kg, m′ = 2 kg, k = 10 N/m.

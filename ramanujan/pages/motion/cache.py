@@ -1,7 +1,7 @@
 """The caches of page 3: the motion and its figures for the current settings."""
 
 import math
-from collections.abc import Mapping
+from collections.abc import Callable, Iterable, Mapping
 from dataclasses import replace
 from typing import Any
 
@@ -9,13 +9,14 @@ import numpy as np
 import streamlit as st
 
 from ramanujan import Oscillator, drawn_spacing
-from ramanujan.derivation.energies import PARTS
 from ramanujan.figures import EncodedFigure
-from ramanujan.figures.motion import Panel, TimeCurve, draw_phase_plane, draw_time_panels, widen_range
-from ramanujan.record import Record
-from ramanujan.record import record as take_record
+from ramanujan.figures.motion_page import Panel, TimeCurve, draw_phase_plane, draw_time_panels, round_up, step_range
+from ramanujan.physics.record import Record
+from ramanujan.physics.record import record as take_record
 from ramanujan.shell import theme
-from ramanujan.translation import _
+from ramanujan.text.names import CONTACTS as CONTACT_NAMES
+from ramanujan.text.names import PARTS
+from ramanujan.text.translation import _
 
 PERIODS = 2
 """Number of periods of the machine in the figures."""
@@ -29,15 +30,12 @@ The straight line between two points misses a crest of the cosine by ½·height�
 two points.
 """
 
-CONTACTS = {
-    # TRANSLATORS: two bodies that touch: hoop and slab.
-    f"{body}_{other}": _("{body} and {other}").format(body=PARTS[body], other=PARTS[other])
-    for other, bodies in (("slab", ("hoop", "cylinder")), ("block", ("hoop", "cylinder", "top")))
-    for body in bodies
-}
+CONTACTS = {contact: names.pair for contact, names in CONTACT_NAMES.items()}
 """Contact → the two bodies that touch there."""
 _CM = 100.0
 """Centimetres in a metre."""
+FRAMES = {"ground": _("relative to the ground"), "block": _("relative to the block")}
+"""Frame of reference → its name."""
 _LINES: dict[str, dict[str, Any]] = {
     "hoop": {"width": 5.0},
     "cylinder": {"dash": "6px 6px"},
@@ -73,59 +71,121 @@ def record(machine: Oscillator, compression: float, glide: float, spin: float) -
 
 @st.cache_resource(show_spinner=False, max_entries=64)
 def figures(
-    view: str, light_or_dark: str, machine: Oscillator, compression: float, glide: float, spin: float
-) -> tuple[EncodedFigure, ...]:
-    """Return the figures of a view in the current theme.
+    view: str,
+    light_or_dark: str,
+    machine: Oscillator,
+    compression: float,
+    glide: float,
+    spin: float,
+    *,
+    is_projector: bool = False,
+) -> dict[str, EncodedFigure]:
+    """Return the figures of a view over time in the current theme, each with the titles of its panels.
 
     Parameters
     ----------
     view : a key of `VIEWS`
     light_or_dark : name of the current theme, a key of the cache
     machine, compression, glide, spin : as for `record`
+    is_projector : whether each panel is a figure of its own, with the names on its lines
     """
-    motion, colors = record(machine, compression, glide, spin), theme.colors()
-    return tuple(draw(motion, colors) for draw in VIEWS[view])
+    motion = record(machine, compression, glide, spin)
+    return draw_over_time(view, motion, theme.colors(), is_projector=is_projector)
 
 
-def _displacements(motion: Record, colors: Mapping[str, str]) -> EncodedFigure:
-    """Draw the displacements of the bodies relative to the ground and to the block."""
-    frames = {
-        _("relative to the ground"): motion.ground_positions,
-        _("relative to the block"): motion.relative_positions,
+def draw_over_time(
+    view: str, motion: Record, colors: Mapping[str, str], *, is_projector: bool = False
+) -> dict[str, EncodedFigure]:
+    """Draw the figures of a view without the cache; parameters as for `figures`."""
+    panels = VIEWS[view](motion, colors)
+    return {
+        ", ".join(panel.title for panel in shown): draw_time_panels(
+            shown, period=motion.oscillator.period, periods=PERIODS, colors=colors, names_lines=is_projector
+        )
+        for shown in ([[panel] for panel in panels] if is_projector else [panels])
     }
+
+
+@st.cache_resource(show_spinner=False, max_entries=64)
+def phase_plane(
+    frame: str,
+    light_or_dark: str,
+    machine: Oscillator,
+    compression: float,
+    glide: float,
+    spin: float,
+    *,
+    is_projector: bool = False,
+) -> EncodedFigure:
+    """Return the phase plane in a frame of reference; the other parameters as for `figures`."""
+    motion = record(machine, compression, glide, spin)
+    return draw_orbits(frame, motion, theme.colors(), is_projector=is_projector)
+
+
+def _displacements(motion: Record, colors: Mapping[str, str]) -> list[Panel]:
+    """Return the displacements of the bodies relative to the ground and to the block."""
     panels = []
-    for title, positions in frames.items():
+    for frame, title in FRAMES.items():
+        positions, _velocities = relative_to(frame, motion)
         curves = [_body_curve(body, _CM * x, colors, **_LINES.get(body, {})) for body, x in positions.items()]
-        panels.append(_panel(title, "cm", curves))
-    return _over_time(motion, panels, colors)
+        panels.append(Panel(title, "cm", curves, _ranges(frame, motion)[0]))
+    return panels
 
 
-def _orbits(motion: Record, colors: Mapping[str, str]) -> EncodedFigure:
-    """Draw one orbit for each coordinate: slab and top cylinder relative to the block, block relative to the ground."""
-    relative = motion.relative_positions, motion.relative_velocities
-    ground = motion.ground_positions, motion.ground_velocities
-    curves, velocities = [], []
-    for body, (x, v) in {"slab": relative, "block": ground, "top": relative}.items():
-        curves.append(_body_curve(body, _CM * x[body], colors))
-        velocities.append(_CM * v[body])
-    return draw_phase_plane(curves, velocities, period=motion.oscillator.period, periods=PERIODS, colors=colors)
+def draw_orbits(frame: str, motion: Record, colors: Mapping[str, str], *, is_projector: bool = False) -> EncodedFigure:
+    """Draw the orbits of slab, block and top cylinder relative to the ground, or without the block relative to it."""
+    positions, velocities = relative_to(frame, motion)
+    bodies = [body for body in ("slab", "block", "top") if body in positions]
+    return draw_phase_plane(
+        [_body_curve(body, _CM * positions[body], colors) for body in bodies],
+        [_CM * velocities[body] for body in bodies],
+        ranges=_ranges(frame, motion),
+        period=motion.oscillator.period,
+        periods=PERIODS,
+        colors=colors,
+        names_lines=is_projector,
+    )
 
 
-def _energy(motion: Record, colors: Mapping[str, str]) -> EncodedFigure:
-    """Draw the energies of all bodies by kind as a stack below their constant sum."""
+def relative_to(frame: str, motion: Record) -> tuple[dict[str, np.ndarray], dict[str, np.ndarray]]:
+    """Return the displacements [m] and the velocities [m/s] of the bodies relative to the ground or to the block."""
+    if frame == "ground":
+        return motion.ground_positions, motion.ground_velocities
+    return motion.relative_positions, motion.relative_velocities
+
+
+def _ranges(frame: str, motion: Record) -> tuple[tuple[float, float], tuple[float, float]]:
+    """Return the ranges of the axes of displacement [cm] and velocity [cm/s] in a frame.
+
+    No initial velocity of the machine changes them relative to the block. Relative to the ground they are at least as
+    large, and without this velocity almost always the same, so that the frames are comparable.
+    """
+    frames: Iterable[str] = FRAMES if frame == "ground" else ("block",)
+    displacements: list[np.ndarray] = []
+    velocities: list[np.ndarray] = []
+    for included in frames:
+        positions, rates = relative_to(included, motion)
+        displacements += [_CM * x for x in positions.values()]
+        velocities += [_CM * v for v in rates.values()]
+    return step_range(displacements), step_range(velocities)
+
+
+def _energy(motion: Record, colors: Mapping[str, str]) -> list[Panel]:
+    """Return the energies of all bodies by kind as a stack below their constant sum."""
     curves = []
     for key, values in motion.energies.items():
         body, _between, kind = key.partition("_")
         curve = _body_curve(body, values * 1e3, colors, is_stacked=True, is_hatched=kind == "rotation")
         curves.append(replace(curve, name=energy_name(key)))
     total = 1e3 * motion.total_energy
-    curves.append(TimeCurve(_("total energy"), total, colors["ink"], _("total energy"), width=3))
+    curves.append(TimeCurve(_("total energy"), total, colors["ink"], _("total energy"), width=3, ink=colors["ink"]))
     # Leave a sixth above the total for the names of the periods.
-    return _over_time(motion, [Panel(_("energy"), "mJ", curves, (0.0, float(total[0]) * 7 / 6))], colors)
+    highest = round_up(float(total[0]) * 7 / 6)
+    return [Panel(_("energy"), "mJ", curves, (0.0, highest))]
 
 
-def _momentum(motion: Record, colors: Mapping[str, str]) -> EncodedFigure:
-    """Draw the momentum of each body, which oscillates, and the two conserved momenta, which are constant."""
+def _momentum(motion: Record, colors: Mapping[str, str]) -> list[Panel]:
+    """Return the momentum of each body, which oscillates, and the two conserved momenta, which are constant."""
     curves = []
     for body, values in motion.body_momenta.items():
         look = _LINES.get(body, {}) | {"width": 1.5}
@@ -135,26 +195,25 @@ def _momentum(motion: Record, colors: Mapping[str, str]) -> EncodedFigure:
         "<i>p</i><sub>Φ</sub><i>/R</i>": (motion.momenta["p_Phi"] / motion.oscillator.radius, "primary", "10px 6px"),
     }
     for name, (values, color, dash) in conserved.items():
-        curves.append(TimeCurve(name, values, colors[color], name, width=4, dash=dash))
-    return _over_time(motion, [_panel(_("momentum"), "kg·m/s", curves)], colors)
+        curves.append(TimeCurve(name, values, colors[color], name, width=4, dash=dash, ink=colors[color]))
+    return [_panel(_("momentum"), "kg·m/s", curves)]
 
 
-def _contacts(motion: Record, colors: Mapping[str, str]) -> EncodedFigure:
-    """Draw the horizontal force on each roller at its contacts, and the normal forces there."""
+def _contacts(motion: Record, colors: Mapping[str, str]) -> list[Panel]:
+    """Return the horizontal force on each roller at its contacts, and the normal forces there."""
     forces = [_contact_curve(name, values, colors) for name, values in motion.forces.items() if name != "spring"]
     normals = [_contact_curve(name, values, colors) for name, values in motion.normal_forces.items()]
     highest = max(float(curve.values.max()) for curve in normals)
-    panels = [_panel(_("friction"), "N", forces), Panel(_("normal force"), "N", normals, (0.0, 1.1 * highest))]
-    return _over_time(motion, panels, colors)
+    return [_panel(_("friction"), "N", forces), Panel(_("normal force"), "N", normals, (0.0, 1.1 * highest))]
 
 
-VIEWS = {
-    "displacements": (_displacements, _orbits),
-    "energy": (_energy,),
-    "momentum": (_momentum,),
-    "forces": (_contacts,),
+VIEWS: Mapping[str, Callable[[Record, Mapping[str, str]], list[Panel]]] = {
+    "displacements": _displacements,
+    "energy": _energy,
+    "momentum": _momentum,
+    "forces": _contacts,
 }
-"""View → function that draws its figures."""
+"""View → function that returns its panels over time."""
 
 
 def _contact_curve(contact: str, values: np.ndarray, colors: Mapping[str, str]) -> TimeCurve:
@@ -168,12 +227,8 @@ def _contact_curve(contact: str, values: np.ndarray, colors: Mapping[str, str]) 
 
 def _body_curve(body: str, values: np.ndarray, colors: Mapping[str, str], **look: Any) -> TimeCurve:
     """Return a curve with the name and the colour of a body."""
-    return TimeCurve(PARTS[body], values, colors[body], PARTS[body], **look)
+    return TimeCurve(PARTS[body], values, colors[body], PARTS[body], ink=colors[f"{body}_ink"], **look)
 
 
 def _panel(title: str, unit: str, curves: list[TimeCurve]) -> Panel:
-    return Panel(title, unit, curves, widen_range([curve.values for curve in curves]))
-
-
-def _over_time(motion: Record, panels: list[Panel], colors: Mapping[str, str]) -> EncodedFigure:
-    return draw_time_panels(panels, period=motion.oscillator.period, periods=PERIODS, colors=colors)
+    return Panel(title, unit, curves, step_range(curve.values for curve in curves))

@@ -1,22 +1,24 @@
 """The CSV file of page 3: the settings, then every series under a header in words."""
 
+import math
 from collections.abc import Iterable
 from typing import TypeVar
 
 import numpy as np
 
-from ramanujan.contact import largest_compression, required_friction
-from ramanujan.derivation.energies import PARTS
 from ramanujan.pages.motion import cache
-from ramanujan.record import Record
-from ramanujan.spreadsheet import Cell, spreadsheet
-from ramanujan.translation import _
+from ramanujan.physics.contact import largest_compression, required_friction
+from ramanujan.physics.record import Record
+from ramanujan.text.names import PARTS
+from ramanujan.text.spreadsheet import DIGITS, Cell, numpy_call, spreadsheet
+from ramanujan.text.translation import _
 
 Value = TypeVar("Value")
+_MOST_DECIMALS = 15
 
 
 def sheet(motion: Record, friction_coefficient: float, settings: Iterable[tuple[str, float]]) -> str:
-    """Return a record as a CSV file.
+    """Return a record as a CSV file for spreadsheets; its first row is the line by which NumPy reads the numbers.
 
     Parameters
     ----------
@@ -25,14 +27,27 @@ def sheet(motion: Record, friction_coefficient: float, settings: Iterable[tuple[
     settings : labels with units, and values
     """
     series = columns(motion)
-    values = zip(*(column.tolist() for column in series.values()), strict=True)
+    values = zip(*(_without_noise(column).tolist() for column in series.values()), strict=True)
     title = _("Ramanujan’s oscillator in SI units: positive to the right. X, Ẋ and p_X are positive to the left.")
-    head = [*settings, *_results(motion, friction_coefficient)]
-    return spreadsheet([[title], *head, [], list(series), *values])
+    rows = [[title], *settings, *_results(motion, friction_coefficient), [], list(series)]
+    # The row with this advice is skipped, too.
+    advice = _("In Python, this reads the numbers: {call}").format(call=numpy_call(len(rows) + 1))
+    return spreadsheet([[advice], *rows, *values])
+
+
+def _without_noise(values: np.ndarray) -> np.ndarray:
+    """Return the values of a column without the digits that are rounding errors of its largest number.
+
+    A column that should be zero has only rounding errors, below the last of at most 15 decimal places.
+    """
+    largest = float(np.max(np.abs(values)))
+    power = math.floor(math.log10(largest)) if largest else 0
+    # The sum with 0 turns −0 into 0.
+    return np.round(values, min(DIGITS - 1 - power, _MOST_DECIMALS)) + 0.0
 
 
 def columns(motion: Record) -> dict[str, np.ndarray]:
-    """Return every series of a record under a header with its unit, time first, as `record.columns` orders them."""
+    """Return every series of a record under a header with its unit, time first."""
     series: dict[str, np.ndarray] = {"t [s]": motion.t}
     series |= dict(zip(("X [m]", "φ [rad]", "Φ [rad]"), motion.q, strict=True))
     series |= dict(zip(("Ẋ [m/s]", "φ̇ [rad/s]", "Φ̇ [rad/s]"), motion.q_dot, strict=True))

@@ -5,18 +5,17 @@ from dataclasses import dataclass
 import numpy as np
 import streamlit as st
 
-from ramanujan.contact import required_friction
-from ramanujan.derivation.energies import PARTS
 from ramanujan.derivation.model import MOMENTA
 from ramanujan.derivation.printers import latex
 from ramanujan.figures import EncodedFigure
-from ramanujan.figures.motion import draw_friction_bars
-from ramanujan.numerals import filled, fixed, quantity
+from ramanujan.figures.motion_page import draw_friction_bars
 from ramanujan.pages.motion import cache
-from ramanujan.record import Record
+from ramanujan.physics.contact import required_friction
+from ramanujan.physics.record import Record
 from ramanujan.shell import drawings, theme
-from ramanujan.shell.display_mode import columns
-from ramanujan.translation import _
+from ramanujan.text.names import PARTS
+from ramanujan.text.numerals import filled, fixed, quantity
+from ramanujan.text.translation import _
 
 _CONFIG = {"displaylogo": False}
 """Plotly's options for a figure with all its buttons."""
@@ -38,10 +37,19 @@ class Friction:
     first: str
 
 
-def draw_displacements(motion: Record, figures: tuple[EncodedFigure, ...]) -> None:
-    """Draw displacements over time and the phase plane, and explain the two initial velocities."""
-    over_time, phase_plane = figures
-    time, plane = st.columns([3, 2])
+def explain_zero_modes() -> None:
+    """Explain the two initial velocities."""
+    st.caption(
+        _(
+            "Each initial velocity excites a **zero mode**: a motion that does not deform the spring, so nothing pulls "
+            "it back. With $-\\dot X_0$ the whole machine glides, and nothing changes relative to the block. With "
+            "$\\dot\\Phi_0$ only the top cylinder rolls away."
+        )
+    )
+
+
+def draw_displacements(motion: Record, figure: EncodedFigure, name: str) -> None:
+    """Draw displacements over time, and state the drift that the initial velocities cause."""
     farthest = {}
     for body in PARTS:
         if body != "spring":
@@ -57,37 +65,34 @@ def draw_displacements(motion: Record, figures: tuple[EncodedFigure, ...]) -> No
         *([_("The top cylinder drifts along the block.")] if top else []),
         _("Greatest distance from the start, relative to the ground: {distances}."),
     ]
-    with time:
-        draw_chart(
-            over_time, "displacements", " ".join(alternative).format(distances=list_values(PARTS, farthest, "cm"))
-        )
-    ellipse = _(
-        "Phase plane: velocity over displacement. Relative to the block the slab runs around a closed ellipse, because "
-        "it oscillates with one frequency. It reaches ±{displacement:3 cm} and ±{velocity:3 cm/s}."
-    )
-    amplitude = 100 * motion.compression
-    top_speed = amplitude * motion.oscillator.natural_frequency
-    with plane:
-        draw_chart(phase_plane, "phase_plane", filled(ellipse, displacement=amplitude, velocity=top_speed))
-    sentences = [
-        _("In the phase plane the block moves relative to the ground, the others relative to the block."),
-        _(
-            "Each initial velocity excites a **zero mode**: a motion that does not deform the spring, so nothing pulls "
-            "it back. With an initial velocity $-\\dot X_0$ the whole machine glides, and nothing changes relative to "
-            "the block. With an initial spin $\\dot\\Phi_0$ the top cylinder alone rolls away."
-        ),
-    ]
+    distances = list_values(PARTS, farthest, "cm")
+    draw_chart(figure, name, " ".join(alternative).format(distances=distances))
     if block or top:
         sentence = _(
             "After whole periods only this drift is left: {block:3 cm/s} for the block, {top:3 cm/s} for the top "
             "cylinder relative to it."
         )
-        sentences.append(filled(sentence, block=block, top=top))
-    # The text about the initial velocities is below the displacements, the other one below the phase plane.
-    about_plane, *about_modes = sentences
-    for column, text in zip(columns("displacements"), (" ".join(about_modes), about_plane), strict=True):
-        with column:
-            st.caption(text)
+        st.caption(filled(sentence, block=block, top=top))
+
+
+def draw_phase_plane(motion: Record, frame: str, figure: EncodedFigure) -> None:
+    """Draw and explain the phase plane relative to the ground or to the block."""
+    alternative = _(
+        "Phase plane: velocity over displacement, {frame}. The slab reaches a displacement of {displacement:3 cm} and "
+        "a speed of {velocity:3 cm/s}."
+    )
+    positions, velocities = cache.relative_to(frame, motion)
+    displacement = 100 * float(abs(positions["slab"]).max())
+    velocity = 100 * float(abs(velocities["slab"]).max())
+    words = filled(alternative, frame=cache.FRAMES[frame], displacement=displacement, velocity=velocity)
+    draw_chart(figure, "phase_plane", words)
+    st.caption(
+        _(
+            "Each dot of this **phase plane** shows where a body is and how fast it moves. A closed curve means that "
+            "the motion repeats. Change $-\\dot X_0$: the curves relative to the ground change, those relative to the "
+            "block do not."
+        )
+    )
 
 
 def _drift(x: np.ndarray, motion: Record) -> float:
@@ -95,7 +100,7 @@ def _drift(x: np.ndarray, motion: Record) -> float:
     return round(float((x[-1] - x[0]) / motion.t[-1] * 100), 9)
 
 
-def draw_energy(motion: Record, figures: tuple[EncodedFigure, ...]) -> None:
+def draw_energy(motion: Record, figure: EncodedFigure, name: str) -> None:
     """Draw the energies, stacked."""
     total = motion.total_energy
     error = max(float(abs(total - total[0]).max() / total[0]), np.finfo(float).eps)
@@ -109,9 +114,7 @@ def draw_energy(motion: Record, figures: tuple[EncodedFigure, ...]) -> None:
         "Energies of all bodies, stacked: energy passes between the spring and the bodies, and the sum stays at "
         "{total:4 mJ}. No other body ever has as much kinetic energy as this one: {body}."
     )
-    words, figure = columns("energy")
-    with figure:
-        draw_chart(figures[0], "energy", filled(alternative, total=1e3 * total[0], body=PARTS[greatest]))
+    draw_chart(figure, name, filled(alternative, total=1e3 * total[0], body=PARTS[greatest]))
     sentences = [
         _(
             "Solid areas: kinetic energy of translation relative to the ground. Hatched areas: of rotation. The sum is "
@@ -122,11 +125,10 @@ def draw_energy(motion: Record, figures: tuple[EncodedFigure, ...]) -> None:
     if total[0] > motion.energies["spring"][0]:
         sentences.append(_("The initial velocities add the rest."))
     spring = 1e3 * motion.energies["spring"][0]
-    with words:
-        st.caption(filled(" ".join(sentences), total=1e3 * total[0], error=error, spring=spring))
+    st.caption(filled(" ".join(sentences), total=1e3 * total[0], error=error, spring=spring))
 
 
-def draw_momentum(motion: Record, figures: tuple[EncodedFigure, ...]) -> None:
+def draw_momentum(motion: Record, figure: EncodedFigure, name: str) -> None:
     """Draw the momenta of the bodies and the two conserved momenta."""
     p_X, p_Phi = (float(motion.momenta[name][0]) for name in ("p_X", "p_Phi"))
     p_X_symbol, _p_phi_symbol, p_Phi_symbol = map(latex, MOMENTA)
@@ -134,41 +136,24 @@ def draw_momentum(motion: Record, figures: tuple[EncodedFigure, ...]) -> None:
         "Momentum of each body over time. The bodies exchange momentum, but two lines are flat, because two momenta "
         "are conserved: all bodies together {all:3 kg m/s}, p_Φ/R {top:3 kg m/s}."
     )
-    (figure,) = figures
-    words, place = columns("momentum")
-    with place:
-        draw_chart(figure, "momentum", filled(alternative, all=-p_X, top=p_Phi / motion.oscillator.radius))
+    draw_chart(figure, name, filled(alternative, all=-p_X, top=p_Phi / motion.oscillator.radius))
     sentence = _(
         "The bodies exchange momentum, but two momenta are conserved, because the Lagrangian contains neither $X$ nor "
         "$\\Phi$. $-{p_X}$ is the momentum of the whole machine; $X$ is positive to the left, hence the minus sign. "
         "${p_Phi}$ is the angular momentum of the top cylinder about its line of contact with the block. Change the "
         "initial velocities and watch both lines move."
     )
-    with words:
-        st.caption(sentence.format(p_X=p_X_symbol, p_Phi=p_Phi_symbol))
+    st.caption(sentence.format(p_X=p_X_symbol, p_Phi=p_Phi_symbol))
 
 
-def draw_forces(motion: Record, figures: tuple[EncodedFigure, ...], friction: Friction) -> None:
-    """Draw contact forces over time, and the friction that each contact needs."""
-    time, bars = st.columns([3, 2])
-    with time:
-        draw_contact_forces(motion, figures)
-    with bars:
-        draw_required_friction(motion, friction)
-
-
-def draw_contact_forces(motion: Record, figures: tuple[EncodedFigure, ...]) -> None:
-    """Draw contact forces over time."""
+def draw_contact_forces(motion: Record, figure: EncodedFigure, name: str) -> None:
+    """Draw and explain the contact forces over time."""
     strongest = {name: float(abs(force).max()) for name, force in motion.forces.items() if name in cache.CONTACTS}
     alternative = _(
         "Contact forces over time: friction follows the motion of the spring, and the slab’s weight shifts between the "
         "rollers. Greatest friction: {forces}."
     )
-    draw_chart(figures[0], "contact_forces", alternative.format(forces=list_values(cache.CONTACTS, strongest, "N")))
-
-
-def explain_forces(motion: Record) -> None:
-    """Explain the curves of the forces."""
+    draw_chart(figure, name, alternative.format(forces=list_values(cache.CONTACTS, strongest, "N")))
     sentence = _(
         "Forces on the rollers, positive to the right. The axes of the two lower rollers are {spacing} apart, as "
         "drawn. No initial velocity changes a contact force: in a zero mode nothing accelerates."
@@ -207,7 +192,7 @@ def draw_required_friction(motion: Record, friction: Friction) -> None:
 
 
 def draw_chart(figure: EncodedFigure, name: str, alt: str) -> None:
-    """Draw a figure over time or a phase plane. Its key gives it the height of these figures (type.css)."""
+    """Draw a figure over time or a phase plane. Its key gives it the height of these figures (page.css)."""
     drawings.plot(figure, f"figure_{name}", alt, config=_CONFIG)
 
 

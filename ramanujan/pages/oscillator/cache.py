@@ -2,6 +2,7 @@
 
 from collections.abc import Mapping
 from dataclasses import dataclass
+from functools import cache
 
 import numpy as np
 import streamlit as st
@@ -13,20 +14,24 @@ from ramanujan.derivation.model import epsilon
 from ramanujan.derivation.numbers import Numbers, unit_frequency_condition
 from ramanujan.derivation.rows import Row, align, make_rows
 from ramanujan.figures import EncodedFigure
-from ramanujan.figures.oscillator import FrequencyCurve, Mark, draw_frequency_curve
+from ramanujan.figures.oscillator_page import FrequencyCurve, Mark, draw_frequency_curve
 from ramanujan.shell import theme
-from ramanujan.shell.cache import route
-from ramanujan.translation import _
+from ramanujan.shell.parameters import PARAMETERS
+from ramanujan.shell.shared_cache import route
+from ramanujan.text.translation import _
 
-CURVE_RANGE = (0.01, 30.0)
-"""The range of mass ratios of the Ω² curve. The sliders stay inside."""
+CURVE_RANGE = (
+    PARAMETERS["m_prime"].least / PARAMETERS["m"].most,
+    PARAMETERS["m_prime"].most / PARAMETERS["m"].least,
+)
+"""The range of mass ratios of the Ω² curve: all ratios that can be set."""
 
 _POINTS = 2001
 """Points of the curve. A click selects the nearest one, so they are denser than the pixels of a wide screen. The figure
 is large enough for the browser to cache it (`minCachedMessageSize` in .streamlit/config.toml), so it is sent once."""
 
 
-@st.cache_resource(show_spinner=False)
+@cache
 def curve() -> FrequencyCurve:
     """Return the Ω² curve with its limits and the two marked ratios."""
     normalized = unit_frequency_condition().normalized_frequency_squared
@@ -73,7 +78,7 @@ def equal_masses_value() -> str:
     return str(unit_frequency_condition().normalized_frequency_squared.subs(epsilon, 1))
 
 
-@st.cache_resource(show_spinner=False, max_entries=4)
+@cache
 def figure(light_or_dark: str) -> EncodedFigure:
     """Return the figure of the curve, which is the same for every machine. The theme's name is the key of the cache."""
     return draw_frequency_curve(curve(), theme.colors())
@@ -138,7 +143,7 @@ def _step(key: str) -> Step:
     return route("euler_lagrange")[key]
 
 
-@st.cache_resource(show_spinner=False)
+@cache
 def _symbolic_rows(key: str) -> list[Row]:
     """Return the equations of a step in symbols."""
     return make_rows(_step(key))

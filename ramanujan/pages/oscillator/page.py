@@ -8,21 +8,28 @@ from typing import Any
 import streamlit as st
 
 from ramanujan import Oscillator
-from ramanujan.browser import components, stage
-from ramanujan.browser.roles import container
+from ramanujan.browser import stage
+from ramanujan.browser.components import pick
+from ramanujan.browser.components import story as story_button
+from ramanujan.browser.containers import container
 from ramanujan.derivation.numbers import Numbers, state_numbers
 from ramanujan.derivation.rows import Row, align, align_for_phone
-from ramanujan.numerals import filled, number
-from ramanujan.pages.oscillator import cache, story, texts
+from ramanujan.figures.oscillator_page import NEAR_MARK
+from ramanujan.pages.oscillator import cache, shared_with_file, story
 from ramanujan.pages.oscillator.story import turns_gained
-from ramanujan.shell import display_mode, drawings, first_run, navigation, sidebar, stages, theme, widgets
+from ramanujan.shell import display_mode, drawings, first_run, menu, sidebar, stages, theme, widgets
 from ramanujan.shell.display_mode import slide
-from ramanujan.translation import _
+from ramanujan.shell.sections import cubes
+from ramanujan.text.numerals import filled, number
+from ramanujan.text.translation import _
 
 # Two frequencies with a smaller relative difference are considered equal.
 _ROUNDING_ERROR = 1e-12
 # The largest number of lines of numbers that a slide has beside its equations.
 _NUMBERS_BESIDE = 2
+
+# Keys of the parameters with a slider above the machine.
+SLIDERS = ("m_prime", "m", "k")
 
 
 def warm_up() -> None:
@@ -32,9 +39,12 @@ def warm_up() -> None:
 
 
 def draw_header() -> bool:
-    """Draw the machine with the controls, and return True. In the projector view draw nothing, and return False."""
+    """Draw the machine and its controls, and return True. On a projector, the first slide has only the slider of m′."""
     if display_mode.is_projector():
-        return False
+        with slide("machine", _("The machine")):
+            draw_composition()
+        sidebar.draw((), menu.PAGES["oscillator"].folded_parameters, placed=SLIDERS[:1])
+        return True
     draw_composition()
     if not first_run.draws_only_machine():
         sidebar.draw_more(sidebar.PRESETS, ("compression", "radius"))
@@ -44,16 +54,13 @@ def draw_header() -> bool:
 
 def show() -> None:
     """Draw the page."""
-    if display_mode.is_projector():
-        with slide("machine", _("The machine")):
-            draw_composition()
     publish_machine()
     if first_run.draws_only_machine():
         # Reserve the height of the other elements: a scroll bar that appears later would move the machine.
         st.container(height=5000, border=False)
         return
     if not display_mode.hides("curve"):
-        components.pick("curve", set_clicked_ratio)
+        pick.mount("curve", set_clicked_ratio)
         with slide("curve", _("The curve")):
             draw_curve()
     if display_mode.hides("steps"):
@@ -84,9 +91,9 @@ def draw_derivation() -> None:
     if display_mode.is_projector():
         draw_six_steps()
         return
-    st.header(texts.STEPS_HEADING, anchor=False)
-    six_steps = st.container(key="steps")
-    derivation = navigation.PAGES["derivation"]
+    st.header(shared_with_file.STEPS_HEADING, anchor=False)
+    six_steps = st.container(key="six_steps")
+    derivation = menu.PAGES["derivation"]
     # Draw the link first, because the steps take longer.
     st.page_link(derivation.file, label=_("The whole derivation, in many ways"), icon=f":material/{derivation.icon}:")
     with six_steps:
@@ -98,10 +105,23 @@ def draw_composition() -> None:
     with st.container(key="composition"):
         draw_opening()
         stages.mount(None, name="oscillator", layers=())
+        if not (
+            first_run.draws_only_machine() or display_mode.is_projector() or display_mode.hides("clocks", "numbers")
+        ):
+            draw_reason()
+
+
+def draw_reason() -> None:
+    """Draw why the ratio in step is remarkable. The style sheet shows it while the hands are locked."""
+    with st.container(key="why"):
+        st.markdown(shared_with_file.reason())
+        page = menu.PAGES["taxicab"]
+        st.page_link(page.file, label=_("Why it appears in a machine → 1729"), width="content")
+        cubes.draw_stacks()
 
 
 def draw_opening() -> None:
-    """Draw the question. On a reader's screen, add the link to the lesson, the button of the story and the sliders."""
+    """Draw the question, the button of the story and the sliders; on a reader's screen also the link to the lesson."""
     st.title(_("Ramanujan’s oscillator"), anchor=False)
     if not display_mode.is_projector():
         with st.container(key="to_lesson"):
@@ -109,19 +129,27 @@ def draw_opening() -> None:
     has_clocks = not display_mode.hides("clocks", "numbers")
     question = _("**When does this machine of five bodies oscillate in step with a plain mass on the same spring?**")
     if has_clocks:
-        question = texts.question()
+        question = shared_with_file.question()
     st.markdown(question)
-    if display_mode.is_projector():
+    if first_run.draws_only_machine():
+        reserve_places(has_clocks)
         return
     if has_clocks:
-        draw_story_button()
-    for key in ("m_prime", "m", "k"):
+        story_button.mount(story.collect_data())
+    for key in SLIDERS[:1] if display_mode.is_projector() else SLIDERS:
         sidebar.draw_slider(key)
 
 
-def draw_story_button() -> None:
-    """Draw the button of the story, which ends at the one mass ratio at which both hands turn together."""
-    components.story(story.collect_data())
+def reserve_places(has_clocks: bool) -> None:
+    """Reserve the places of the story's button and of the sliders, which come with the second run.
+
+    The number of elements is that of the second run. Otherwise Streamlit would remove the machine and draw it again.
+    """
+    if has_clocks:
+        st.container(key="place_of_story").empty()
+    st.container(key="place_of_sliders").empty()
+    for _number in range(2 * len(SLIDERS) - 1):
+        st.empty()
 
 
 def draw_lesson_link() -> None:
@@ -129,21 +157,26 @@ def draw_lesson_link() -> None:
     if first_run.draws_only_machine():
         st.empty()
         return
-    st.page_link(navigation.PAGES["lesson"].file, label=_("New to this? Take the lesson"), width="content")
+    st.page_link(menu.PAGES["lesson"].file, label=_("New to this? Take the lesson"), width="content")
 
 
 def draw_curve() -> None:
     """Draw the Ω² curve with a ring at the current machine."""
     curve = cache.curve()
-    st.header(texts.CURVE_HEADING, anchor=False)
-    st.markdown(texts.CURVE_TEXT)
-    # The ring shows the current machine, so the figure is sent to a page only once.
-    alternative = texts.curve_alternative(curve)
-    drawings.plot(cache.figure(theme.current()), "curve", alternative)
-    if shows_numbers():
-        describe_machine()
-    with container("click", "curve"):
-        st.caption(texts.CURVE_HINT)
+    st.header(shared_with_file.CURVE_HEADING, anchor=False)
+    text, figure = display_mode.columns("curve")
+    with text:
+        st.markdown(shared_with_file.CURVE_TEXT)
+        with container("click", "curve"):
+            st.caption(shared_with_file.CURVE_HINT)
+        if not display_mode.is_projector():
+            stage.mount_small("stage_beside_curve", follows="oscillator", limits=stages.LIMITS)
+        if shows_numbers():
+            describe_machine()
+    with figure:
+        # The ring shows the current machine, so the figure is sent to a page only once.
+        alternative = shared_with_file.curve_alternative(curve)
+        drawings.plot(cache.figure(theme.current()), "curve", alternative)
 
 
 @st.fragment(key="present")
@@ -181,13 +214,13 @@ def set_clicked_ratio(point: dict[str, float]) -> None:
     """Callback: set the mass ratio of the clicked point, exact near a mark, elsewhere with three significant digits."""
     curve = cache.curve()
     for mark in (curve.equal, curve.unit):
-        if math.isclose(point["x"], mark.ratio, rel_tol=0.02):
+        if math.isclose(point["x"], mark.ratio, rel_tol=NEAR_MARK):
             sidebar.request_ratio(mark.ratio)
             return
     sidebar.request_ratio(point["x"], 3)
 
 
-@st.fragment(key="steps")
+@st.fragment(key="six_steps")
 def draw_six_steps() -> None:
     """Draw the short derivation with an expander for each step."""
     machine = sidebar.oscillator()
@@ -209,7 +242,7 @@ def draw_six_steps() -> None:
                     draw_step(n, step, numbers)
     fragments = dependent_fragments()
     if shows_steps:
-        fragments.append("steps")
+        fragments.append("six_steps")
     sidebar.set_dependent_fragments(*fragments)
 
 
@@ -237,7 +270,7 @@ def draw_equations(key: str, rows: Sequence[Row], width: int = cache.LINE_WIDTH)
 
 def draw_slides(steps: list[cache.SummaryStep]) -> None:
     """Draw each step of the route on a slide of the projector view, and many numbers on the next slide."""
-    from ramanujan.lesson.picture import draw_svg  # Imported late: the first page of a visitor does not need it.
+    from ramanujan.figures.still_machine import draw_svg  # Imported late: the first page of a visitor does not need it.
 
     machine = draw_svg(sidebar.oscillator(), sidebar.compression(), theme.paper_colors())
     for n, step in enumerate(steps, start=1):

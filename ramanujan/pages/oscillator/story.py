@@ -8,23 +8,21 @@ The durations of the pauses are such that the hands meet again at ε*. The machi
 
 import math
 from dataclasses import asdict, dataclass
+from functools import cache
 from typing import Any
 
 import numpy as np
-import streamlit as st
 from numpy.typing import ArrayLike, NDArray
 
 from ramanujan import UNIT_MASS_RATIO, normalized_frequency_squared
-from ramanujan.numerals import filled, number
-from ramanujan.pages.oscillator import cache
-from ramanujan.translation import _
+from ramanujan.pages.oscillator import cache as page_cache
+from ramanujan.text.numerals import filled, number
+from ramanujan.text.translation import _
 
 RATIO = UNIT_MASS_RATIO
 """The mass ratio at which the story ends."""
-STARTS = (5.0, 2.0)
-"""Mass ratios with which a story may begin. The second is used if 5m exceeds the largest mass of a roller."""
-OPENING = 2
-"""Number of scenes until the masses first have the ratio ε*. The later scenes are the same in every story."""
+START = 2.0
+"""The mass ratio with which the story begins. For every m, the slider of m′ shows it."""
 SCREEN_PERIOD = 0.6
 """Duration of a period of the plain mass on the screen during the story [s]."""
 _TOO_HEAVY = 1.25
@@ -56,20 +54,15 @@ def turns_gained(ratios: ArrayLike) -> NDArray[np.float64]:
     return np.sqrt(normalized_frequency_squared(ratios)) - 1
 
 
-@st.cache_resource(show_spinner=False)
-def make_story(start: float) -> tuple[Scene, ...]:
-    """Return the scenes of the story that begins with this mass ratio.
-
-    Parameters
-    ----------
-    start : ε of the heavy rollers, dimensionless
-    """
+@cache
+def make_story() -> tuple[Scene, ...]:
+    """Return the scenes of the story."""
     lighter = Scene(
-        _("Lighter rollers: the machine falls behind more slowly."), _moving_ratios(start, UNIT_MASS_RATIO), 5
+        _("Lighter rollers: the machine falls behind more slowly."), _moving_ratios(START, UNIT_MASS_RATIO), 5
     )
     # The hand loses turns while the rollers are heavy. The wait and the move together lose a whole number of turns, and
     # the wait lasts at least one period.
-    lost_per_period = -float(turns_gained(start))
+    lost_per_period = -float(turns_gained(START))
     lost_in_move = -turns_in_scene(lighter)
     lost = math.ceil(lost_in_move + lost_per_period)
     wait = (lost - lost_in_move) / lost_per_period
@@ -88,7 +81,7 @@ def make_story(start: float) -> tuple[Scene, ...]:
     gained = sum(map(turns_in_scene, (*ahead, back)))
     too_heavy_periods = gained / -float(turns_gained(_TOO_HEAVY))
     return (
-        _still_scene(heavy, start, wait),
+        _still_scene(heavy, START, wait),
         lighter,
         _still_scene(_("Here both hands turn together."), UNIT_MASS_RATIO, 2),
         *ahead,
@@ -100,14 +93,12 @@ def make_story(start: float) -> tuple[Scene, ...]:
 
 
 def collect_data() -> dict[str, Any]:
-    """Return the data of `components.story`."""
-    stories = [make_story(start) for start in STARTS]
+    """Return the data of `components/story`."""
     return {
         "stage": "oscillator",
         "slider": "m_prime",
         "ratio": RATIO,
-        "openings": [list(map(asdict, scenes[:OPENING])) for scenes in stories],
-        "rest": list(map(asdict, stories[0][OPENING:])),
+        "scenes": list(map(asdict, make_story())),
         "screen_period": SCREEN_PERIOD,
         "stills": list_stills(),
         "words": write_words(),
@@ -115,18 +106,18 @@ def collect_data() -> dict[str, Any]:
 
 
 def write_words() -> dict[str, str]:
-    """Return the words of the story's button in the format of `components.story`."""
+    """Return the words of the story's button in the format of `components/story`."""
     return {
         "ratio": "ε = m′/m = {ratio}",
         "in_step": _("In step: ε = {exactly}. So {number}.").format(
-            exactly=cache.unit_ratio(), number=cache.completed_square()
+            exactly=page_cache.unit_ratio(), number=page_cache.completed_square()
         ),
         "mark": _("in step"),
         "begin": _("Bring them into step"),
         "again": _("Again"),
         "stop": _("Stop"),
         "stills": filled(
-            _("Both hands start together. After {periods:word} periods of the plain mass they stand like this:"),
+            _("Both hands start together. After {periods} periods of the plain mass they stand like this:"),
             periods=STILL_PERIODS,
         ),
         "hint": _("Watch how the hands part as m′ changes, and where they stay together"),

@@ -8,12 +8,10 @@ import numpy as np
 
 from ramanujan.accuracy.runs import History, count_evaluations
 from ramanujan.accuracy.work_precision import SHOWN_STEPS, WorkPrecision
-from ramanujan.numerals import number
+from ramanujan.text.numerals import number
 
 SAMPLES_PER_PERIOD = 32
 """Largest number of samples in a period. With this number, straight lines between samples look like a curve."""
-SCREEN_HEIGHT = 1080
-"""Height in pixels with which errors on screen are compared."""
 ROOM = 3.0
 """Largest displacement of the slab of an inaccurate run, in units of the compression."""
 CURVE_POINTS = 96
@@ -56,7 +54,7 @@ def stage_payload(run: SampledRun) -> dict[str, Any]:
     The entry `log` contains the number of evaluations and the phase error [turns] after each period, as texts.
     """
     q = np.clip(np.nan_to_num(run.q, nan=ROOM), -ROOM, ROOM)
-    evaluations = count_evaluations(run.method, run.steps * np.arange(run.periods + 1)).clip(0)
+    evaluations = count_evaluations(run.method, run.steps * np.arange(run.periods + 1))
     log = []
     for cost, error in zip(evaluations.tolist(), run.turns.tolist(), strict=True):
         log.append([number(cost, 6), number(error)])
@@ -66,8 +64,7 @@ def stage_payload(run: SampledRun) -> dict[str, Any]:
 def costs(curve: WorkPrecision, by: str) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
     """Return cost, error and steps per period of the runs in the diagram; `by` is the kind of cost."""
     is_shown = np.isin(curve.steps_per_period, SHOWN_STEPS)
-    error = np.where(np.isfinite(curve.error), curve.error, np.nan)
-    return getattr(curve, by)[is_shown], error[is_shown], curve.steps_per_period[is_shown]
+    return getattr(curve, by)[is_shown], curve.error[is_shown], curve.steps_per_period[is_shown]
 
 
 def downsample(history: History, steps: int, periods: int) -> SampledRun:

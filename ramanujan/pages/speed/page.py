@@ -1,100 +1,140 @@
-"""Page 5: the accuracy of the closed form and of integrators, and its cost, measured on the server of this page."""
+"""Page 5 in three topics: a computed machine against the exact one, the price of accuracy, the limits of numbers."""
 
 import math
-from functools import partial
 
 import numpy as np
 import streamlit as st
 
-from ramanujan.figures import speed as figures
-from ramanujan.integrators import METHODS
-from ramanujan.numerals import filled
-from ramanujan.pages.speed import cache, challenge, extremes, verdicts
+from ramanujan.accuracy.work_precision import PERIODS
+from ramanujan.figures import speed_page as figures
+from ramanujan.lesson.answer_tasks import WITHIN
+from ramanujan.pages.speed import cache, challenge, costs, limits, verdicts
 from ramanujan.pages.speed.challenge import METHOD, STEPS, TRIES
-from ramanujan.pages.speed.costs import COST, TOLERANCE, draw_costs
 from ramanujan.pages.speed.downsampling import SampledRun
-from ramanujan.pages.speed.extremes import SWEEP
+from ramanujan.physics.integrators import METHODS
 from ramanujan.shell import address, display_mode, drawings, sidebar, theme, widgets
 from ramanujan.shell.display_mode import columns, folded, slide
-from ramanujan.translation import _
+from ramanujan.text.numerals import filled
+from ramanujan.text.translation import _
 
-COMPARED = address.Choice("compare", {"own": _("your method"), "all": _("all methods")}, "own")
-PERIODS = address.Choice("periods", cache.PERIODS, 30)
-PRECISION = address.Choice("precision", ("float64", "float32"), "float64")
-URL_PARAMETERS = (METHOD, STEPS, TRIES, COMPARED, PERIODS, PRECISION, COST, TOLERANCE, SWEEP)
-FOLDED_PARAMETERS = ("compression",)
+TOPICS = {"race": _("Race"), "price": _("Price"), "limits": _("Limits")}
+TOPIC = address.Choice("topic", TOPICS, "race")
+ERRORS = {"phase": _("Phase error"), "energy": _("Energy error")}
+ERROR = address.Choice("error", ERRORS, "phase")
+URL_PARAMETERS = (TOPIC, METHOD, STEPS, TRIES, ERROR, costs.COST, costs.TOLERANCE, limits.SWEEP)
+
+# Error → title and limits of its axis. Streamlit would show a string below the assignment, because it runs this file.
+_AXES = {
+    "phase": (_("phase error [turns]"), (1e-8, 10.0)),
+    "energy": (_("energy error<br>|<i>E</i>/<i>E</i>₀ − 1|"), (1e-8, 10.0)),
+}
 
 
 def show() -> None:
-    """Draw the page. The measurement of costs, which takes long, begins last."""
-    with slide("motion", _("Exact and computed")), st.container(key="race"):
-        challenge.draw()
-        if address.current(TRIES) and not display_mode.is_projector():
-            challenge.draw_diagram()
-    if address.current(TRIES) and display_mode.is_projector():
-        with slide("tries", _("What was tried")):
-            challenge.draw_diagram()
-    with slide("errors", _("How the errors grow")):
-        periods = draw_error_growth(address.current(METHOD), address.current(STEPS))
-    with slide("costs", _("What accuracy costs")):
-        measure_costs = draw_costs(periods)
-    with slide("forms", _("Extreme values")):
-        forms = extremes.draw_forms()
-    if not display_mode.is_projector():
-        with st.expander(_("Where each form fails, and the formulas")):
-            extremes.list_failures(forms)
-    with slide("periods", _("Very many periods")):
-        extremes.draw_phase_errors(sidebar.oscillator())
-    solver = _("A general eigen-solver, which does not know this machine")
-    folded("solver", solver, extremes.explain_solvers, extremes.list_zero_modes)
-    folded("choices", _("What this app uses, and why"), *extremes.CHOICES)
-    # Long computations follow after all other elements are drawn.
-    measure_costs()
+    """Draw the open topic, or the slides of all topics. The measurement of costs, which takes long, begins last."""
+    # The address keeps the settings of the other topics.
+    address.update(*URL_PARAMETERS)
+    if display_mode.is_projector():
+        places = {topic: st.container() for topic in TOPICS}
+    else:
+        st.title(_("Speed and accuracy"), anchor=False)
+        places = {topic: tab for topic, tab in widgets.tabs(TOPIC).items() if tab.open}
+    for topic, draw in (("race", draw_race), ("limits", draw_limits), ("price", draw_price)):
+        if topic in places:
+            with places[topic]:
+                draw()
 
 
-def draw_error_growth(method: str, steps: int) -> int:
-    """Draw how the errors of one method and the closed form, or of all methods, grow; return the number of periods."""
-    st.header(_("How the errors grow"), anchor=False)
-    words, place = columns("errors")
-    with words:
-        compared, periods, precision = widgets.draw_in_columns(
-            [1.2, 1.2, 1] if display_mode.is_projector() else 1,
-            partial(widgets.segmented_control, COMPARED, _("Show")),
-            partial(widgets.select_slider, PERIODS, _("Number of periods")),
-            partial(widgets.segmented_control, PRECISION, _("Precision")),
-        )
-    with place, st.skeleton(height=480):
-        runs = [cache.run(name, steps, periods, precision) for name in METHODS if compared == "all" or name == method]
-    run = cache.run(method, steps, periods, precision)
-    phase_errors = cache.phases(sidebar.oscillator())
-    # At least two points make a curve.
-    shown_errors = [errors for errors in phase_errors if errors.periods <= max(periods, 10)]
-    closed_form = (
-        np.array([errors.periods for errors in shown_errors]),
-        np.array([errors.float64 for errors in shown_errors]),
-    )
-    curves = {METHODS[run.method].title: (run.times, run.energy, run.phase) for run in runs}
-    titles = [method.title for method in METHODS.values()]
-    figure = figures.draw_error_growth(curves, METHODS[method].title, closed_form, titles, theme.colors())
-    alternative = _(
-        "Energy error and phase error over the number of periods. The phase errors of the methods grow with time. That "
-        "of the closed form grows too, but it stays near the rounding error. {errors}"
-    )
-    with place:
-        drawings.plot(figure, "growth", alternative.format(errors=" ".join(map(_describe_error, runs))))
-    with words:
-        st.markdown(verdicts.describe_errors(run))
-        # A slide of the projector view has no room for the caption.
-        if not display_mode.is_projector():
-            st.caption(
+def draw_race() -> None:
+    """Draw the computed machine over the exact one, and the growth of its errors."""
+    if display_mode.is_projector():
+        with slide("motion", _("Exact and computed")), st.container(key="race"):
+            st.header(_("Exact and computed"), anchor=False)
+            words, picture = st.columns([2, 3], gap="small")
+            with words:
+                st.markdown(challenge.TASK.text)
+            with picture:
+                challenge.draw_machine()
+            challenge.draw_controls()
+            with words:
+                challenge.draw_verdict()
+        with slide("errors", _("How the errors grow")):
+            draw_error_growth()
+        return
+    with st.container(key="race"):
+        picture, figure = st.columns(2, gap="medium")
+        with picture:
+            st.markdown(challenge.TASK.text)
+            challenge.draw_machine()
+            challenge.draw_controls()
+            challenge.draw_verdict()
+        with figure:
+            draw_error_growth()
+            st.markdown(
                 _(
-                    "Each curve shows the largest error so far, and all methods take the same steps. Below its "
-                    "stability limit a symplectic method keeps its energy error bounded, but its phase error grows "
-                    "steadily. In the gray zone, where rounding errors are, each power of ten takes an eighth of its "
-                    "usual height."
+                    "Most simulations advance in small time steps. This machine can also be solved exactly, so every "
+                    "error can be seen."
                 )
             )
-    return periods
+    method, steps = address.current(METHOD), address.current(STEPS)
+    with st.expander(_("This run in numbers")):
+        st.markdown(verdicts.describe_errors(cache.run(method, steps)))
+        st.markdown(verdicts.describe_stability(METHODS[method], steps))
+
+
+def draw_price() -> None:
+    """Draw the cost of accuracy, and that of exactness."""
+    with slide("costs", _("What accuracy costs")):
+        measure_and_draw = costs.draw_costs()
+    fold = None if display_mode.is_projector() else st.expander(_("The cheapest run of each method"))
+    folded("arithmetics", _("What exactness costs"), limits.draw_arithmetics)
+    measure_and_draw()
+    if fold:
+        with fold:
+            costs.list_cheapest_runs()
+            costs.explain_measurement()
+
+
+def draw_limits() -> None:
+    """Draw what becomes of the phase after very many periods, and of Ω² for very large and small masses."""
+    first, second = columns("limits")
+    with first, slide("periods", _("Very many periods")):
+        limits.draw_phase_errors(sidebar.oscillator())
+    with second, slide("forms", _("Very large and small numbers")):
+        forms = limits.draw_forms()
+    if not display_mode.is_projector():
+        with st.expander(_("Where each form fails, and the formulas")):
+            limits.list_failures(forms)
+    solver = _("A general eigen-solver, which does not know this machine")
+    folded("solver", solver, limits.explain_solvers, limits.list_zero_modes)
+
+
+def draw_error_growth() -> None:
+    """Draw how an error of all methods grows, with the selected method in front."""
+    method, steps = address.current(METHOD), address.current(STEPS)
+    st.header(_("How the errors grow"), anchor=False)
+    place = st.container(key="place_growth")
+    error = widgets.segmented_control(ERROR, _("Error"), label_visibility="collapsed")
+    runs = {name: cache.run(name, steps) for name in METHODS}
+    curves = {}
+    for name, run in runs.items():
+        # The first period is outside of the figure.
+        shown = run.times >= 1
+        values = run.energy if error == "energy" else run.phase / math.tau
+        curves[METHODS[name].title] = run.times[shown], values[shown]
+    title, ends = _AXES[error]
+    figure = figures.draw_error_growth(
+        curves,
+        METHODS[method].title,
+        title=title,
+        limits=ends,
+        allowed=WITHIN if error == "phase" else None,
+        colors=theme.colors(),
+    )
+    alternative = _("The errors of all methods over {periods} periods, with the same steps. {errors}")
+    sentences = " ".join(map(_describe_error, runs.values()))
+    with place:
+        drawings.plot(figure, "growth", alternative.format(periods=PERIODS, errors=sentences))
 
 
 def _describe_error(run: SampledRun) -> str:

@@ -1,41 +1,45 @@
 """The results of the experiments of page 5 in sentences and tables, with numbers from the results."""
 
 import math
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from itertools import pairwise
 
 import numpy as np
 
-from ramanujan.accuracy.choices import ClosedForm
+from ramanujan.accuracy.arithmetics import ARITHMETICS, Price
 from ramanujan.accuracy.extremes import FORMS, INACCURATE, OVERFLOW, RIGHT, WRONG, ZERO, Stretch, Sweep
 from ramanujan.accuracy.general_solvers import SOLVERS, EigenSweep
 from ramanujan.accuracy.phase import PhaseErrors
-from ramanujan.accuracy.work_precision import STEPS_PER_PERIOD, CheapestRun, WorkPrecision
-from ramanujan.figures.speed import Part
-from ramanujan.integrators import METHODS, Method
-from ramanujan.numerals import at_least, distinct_from, duration, filled, number, quantity
+from ramanujan.accuracy.work_precision import STEPS_PER_PERIOD, ClosedForm, Run
+from ramanujan.figures.speed_page import Part
 from ramanujan.pages.speed.downsampling import SampledRun
-from ramanujan.translation import _, ngettext
+from ramanujan.physics.integrators import METHODS, Method
+from ramanujan.text.numerals import at_least, distinct_from, duration, filled, number, quantity
+from ramanujan.text.translation import _, ngettext
 
 _VISIBLE = 0.05
 """Phase error [rad] that is visible between two machines side by side: about a hundredth of a full turn."""
-_LEAST_ERROR, _LARGEST_ERROR = 1e-12, 0.5
-"""Errors between which a curve has a slope: above rounding errors, and smaller than the motion."""
-_STEEPER = 0.3
-"""The page explains a slope that exceeds the order of its method by more than this."""
 
 Table = list[tuple[str, ...]]
 
 
-def describe_method(method: Method, steps: int) -> str:
-    """Return the order of a method, its cost, and whether these steps are stable."""
-    step_angle = 2 * math.pi / steps  # hΩ
-    limit = method.stability_limit
-    cost = ngettext(
-        "**{method}** has order {order} and takes one evaluation of the force per step of size h.",
-        "**{method}** has order {order} and takes {n:word} evaluations of the force per step of size h.",
+def describe_method(method: Method) -> str:
+    """Return what the order of a method means, and its cost."""
+    sentence = ngettext(
+        "**{method}** evaluates the force once per step. It has order {order}: if steps are small, half the step size "
+        "leaves about 1/{factor} of the error.",
+        "**{method}** evaluates the force {n} times per step. It has order {order}: if steps are small, half the step "
+        "size leaves about 1/{factor} of the error.",
         method.evaluations,
     )
+    title = method.title[0].upper() + method.title[1:]
+    return filled(sentence, method=title, order=method.order, factor=2**method.order, n=method.evaluations)
+
+
+def describe_stability(method: Method, steps: int) -> str:
+    """Return whether a method with these steps per period is stable."""
+    step_angle = 2 * math.pi / steps  # hΩ
+    limit = method.stability_limit
     if math.isinf(limit):
         stable = _("It is stable at every step size.")
     elif limit == 0:
@@ -44,13 +48,11 @@ def describe_method(method: Method, steps: int) -> str:
         stable = _("It is **unstable here**: hΩ = {turn} is beyond its stability limit, {limit}.")
     else:
         stable = _("It is stable up to hΩ = {limit}; here it is {turn}.")
-    title = method.title[0].upper() + method.title[1:]
-    cost = filled(cost, method=title, order=method.order, n=method.evaluations)
     # Below the limit both numbers are rounded down, so the limit remains an upper bound of stable angles.
     write = number if step_angle > limit else at_least
     angle_text = distinct_from(step_angle, limit, 3, write)
     limit_text = distinct_from(limit, step_angle, 3, write)
-    return f"{cost} {stable.format(turn=angle_text, limit=limit_text)}"
+    return stable.format(turn=angle_text, limit=limit_text)
 
 
 def describe_errors(run: SampledRun) -> str:
@@ -58,8 +60,7 @@ def describe_errors(run: SampledRun) -> str:
     energy_error = float(np.max(run.energy))
     sentence = ngettext(
         "**{method}, {steps} steps per period, {precision}:** in one period the force was evaluated {cost} times.",
-        "**{method}, {steps} steps per period, {precision}:** in {n:word} periods the force was evaluated {cost} "
-        "times.",
+        "**{method}, {steps} steps per period, {precision}:** in {n} periods the force was evaluated {cost} times.",
         run.periods,
     )
     evaluated = filled(
@@ -99,38 +100,35 @@ def _describe_phase(error: float) -> str:
     return sentence.format(off=off.format(turns=number(turns)), phase=number(abs(error)))
 
 
-def recommend_run(choices: Sequence[CheapestRun], tolerance: float, by: str, exact: ClosedForm | None) -> str:
+def recommend_run(choices: Sequence[Run], tolerance: float, by: str, exact: ClosedForm) -> str:
     """Name the cheapest run within the tolerance, its cost, and the cost of the closed form.
 
     Parameters
     ----------
     choices : the cheapest run of each method and precision, the cheapest of all first
-    tolerance : largest error, relative to the amplitude
+    tolerance : largest error [turns]
     by : kind of cost, "evaluations" or "seconds"
-    exact : the measured closed form, None without a measurement
+    exact : the measured closed form
     """
-    sentences = [_recommend(choices[0], tolerance, by) if choices else _none_reaches(tolerance)]
-    if exact is not None:
-        sentence = _("The closed form takes {time} for the last state, and its phase error is {error}\u202frad.")
-        sentences.append(sentence.format(time=duration(exact.seconds.median), error=number(exact.phase_error)))
-    return " ".join(sentences)
+    cheapest = _recommend(choices[0], tolerance, by) if choices else _none_reaches(tolerance)
+    sentence = _("The closed form takes {time}, and it is off by {error} of a turn.")
+    closed_form = sentence.format(time=duration(exact.seconds), error=number(exact.error))
+    return f"{cheapest} {closed_form}"
 
 
-def _recommend(best: CheapestRun, tolerance: float, by: str) -> str:
+def _recommend(best: Run, tolerance: float, by: str) -> str:
     """Name the cheapest run by a kind of cost, with its cost and its error."""
     if by == "seconds":
         recommendation = _(
-            "For an error of at most {tolerance:1↑} of the amplitude, the fastest run on this server is **{method}** "
-            "in {precision} with **{steps} steps per period**."
+            "For an error of at most {tolerance:1↑} of a turn, the fastest run on this server is **{method}** in "
+            "{precision} with **{steps} steps per period**."
         )
     else:
         recommendation = _(
-            "For an error of at most {tolerance:1↑} of the amplitude, the run with the fewest evaluations of the force "
-            "is **{method}** in {precision} with **{steps} steps per period**."
+            "For an error of at most {tolerance:1↑} of a turn, the run with the fewest evaluations of the force is "
+            "**{method}** in {precision} with **{steps} steps per period**."
         )
-    cost = _(
-        "It takes {run.evaluations:3} evaluations and {time} on this server, and its largest error is {run.error:2}."
-    )
+    cost = _("It takes {run.evaluations:3} evaluations and {time} on this server.")
     method, time = METHODS[best.method].title, duration(best.seconds)
     run = {"method": method, "precision": best.dtype, "steps": best.steps_per_period, "run": best, "time": time}
     return filled(f"{recommendation} {cost}", tolerance=tolerance, **run)
@@ -139,51 +137,17 @@ def _recommend(best: CheapestRun, tolerance: float, by: str) -> str:
 def _none_reaches(tolerance: float) -> str:
     """State that no run has an error within the tolerance."""
     sentence = _(
-        "None of the {methods:word} methods on this page stays within an error of {tolerance} with {most} steps per "
+        "None of the {methods} methods on this page stays within {tolerance} of a turn with {most} steps per "
         "period or fewer."
     )
     return filled(sentence, methods=len(METHODS), tolerance=number(tolerance, 1), most=STEPS_PER_PERIOD[-1])
 
 
-def explain_slope(curves: Sequence[WorkPrecision], run: Callable[[str, int, int, str], SampledRun]) -> str:
-    """Explain each method whose error falls faster than its order, and state how the phase error falls.
-
-    Parameters
-    ----------
-    curves : the runs of the methods
-    run : function that returns one run, such as `cache.run`
-    """
-    fine = STEPS_PER_PERIOD[-1]
-    coarse = fine // 2
-    sentences = []
-    for curve in curves:
-        if curve.dtype != "float64":
-            continue
-        method, steps = METHODS[curve.method], curve.steps_per_period
-        coarse_error, fine_error = curve.error[steps == coarse].item(), curve.error[steps == fine].item()
-        if not _LEAST_ERROR < fine_error < coarse_error < _LARGEST_ERROR:
-            continue
-        if math.log2(coarse_error / fine_error) > method.order + _STEEPER:
-            coarse_phase = run(curve.method, coarse, curve.periods, "float64").phase_at_end
-            fine_phase = run(curve.method, fine, curve.periods, "float64").phase_at_end
-            sentence = _(
-                "The method {method} has order {order}, so twice as many steps should divide its error by {expected}. "
-                "They divide it by {factor}. A part of it, the phase error, grows from period to period. They divide "
-                "that part by {phase}."
-            )
-            factors = {
-                "expected": 2**method.order,
-                "factor": coarse_error / fine_error,
-                "phase": coarse_phase / fine_phase,
-            }
-            texts = {name: number(factor, 2) for name, factor in factors.items()}
-            sentences.append(sentence.format(method=method.title, order=method.order, **texts))
-    return " ".join(sentences)
-
-
-def choice_table(choices: Iterable[CheapestRun]) -> Table:
+def choice_table(choices: Iterable[Run]) -> Table:
     """List the cheapest run of each method and precision."""
-    rows: Table = [(_("Method"), _("Precision"), _("Steps per period"), _("Error"), _("Evaluations"), _("Time"))]
+    rows: Table = [
+        (_("Method"), _("Precision"), _("Steps per period"), _("Error [turns]"), _("Evaluations"), _("Time"))
+    ]
     for choice in choices:
         row = (
             METHODS[choice.method].title,
@@ -239,8 +203,8 @@ def strip(sweep: Sweep) -> list[Part]:
 
 _RETURNS = {
     # TRANSLATORS: what a formula returns. Such phrases are joined by commas, after the name of the formula and a colon.
-    RIGHT: _("right to {error} ulp"),
-    ZERO: "0",
+    RIGHT: _("right to {digits} digits"),
+    ZERO: _("{value}: wrong").format(value=0),
     OVERFLOW: _("∞ or NaN"),
     WRONG: _("{value}: wrong"),
     INACCURATE: _("loses digits"),
@@ -249,12 +213,21 @@ _RETURNS = {
 
 
 def _describe_value(sweep: Sweep, stretch: Stretch) -> str:
-    """Describe the values of a form in a stretch. −0 differs from 0, and the median represents wrong values."""
+    """Describe the values of a form in a stretch; the median represents wrong values."""
     values = sweep.value[(sweep.x >= stretch.first) & (sweep.x <= stretch.last)]
-    if stretch.verdict == ZERO and np.signbit(values).all():
-        return "−0"
     median = number(float(np.median(values)), 4) if stretch.verdict == WRONG else ""
-    return _RETURNS[stretch.verdict].format(value=median, error=number(sweep.worst_right_ulp))
+    return _RETURNS[stretch.verdict].format(value=median, digits=count_digits(sweep.worst_right_ulp, sweep.dtype))
+
+
+def count_digits(ulp: float, dtype: str) -> int:
+    """Return the number of correct decimal digits of a value whose error is at most `ulp` units in its last place.
+
+    >>> count_digits(1.5, "float64"), count_digits(1.5, "float32"), count_digits(1e20, "float64")
+    (15, 6, 0)
+    """
+    # A unit in the last place is at most the machine epsilon times the value.
+    relative_error = max(ulp, 0.5) * float(np.finfo(dtype).eps)
+    return max(0, math.floor(-math.log10(relative_error)))
 
 
 def describe_phases(errors: Sequence[PhaseErrors]) -> str:
@@ -263,14 +236,14 @@ def describe_phases(errors: Sequence[PhaseErrors]) -> str:
     for before, after in pairwise(errors):
         if before.float32 <= 1 < after.float32:
             sentence = _(
-                "In float32 the error of the plain product Ω·t reaches 1\u202frad between {before} and {after} "
-                "periods. From there on the phase is meaningless and the curve is flat."
+                "In float32, with about 7 digits, the error of the phase Ω·t passes 1\u202frad between {before} and "
+                "{after} periods."
             )
             sentences.append(sentence.format(before=number(before.periods), after=number(after.periods)))
             break
     reduced = _(
-        "In float64 the error is {last.float64:2 rad} after {last.periods:2} periods. If Ω/2π is stored in two "
-        "floating-point numbers and whole turns are subtracted first, the error never exceeds **{largest:2↑ rad}**."
+        "In float64, with about 16 digits, it is {last.float64:2 rad} after {last.periods:2} periods. With twice as "
+        "many digits of Ω, and whole turns subtracted first, it never exceeds **{largest:2↑ rad}**."
     )
     sentences.append(filled(reduced, last=errors[-1], largest=max(entry.reduced for entry in errors)))
     return " ".join(sentences)
@@ -307,15 +280,23 @@ def zero_mode_table(sweeps: Sequence[EigenSweep]) -> Table:
     head = (
         _("Solver"),
         _("Precision"),
-        _("Greatest error of Ω²"),
+        _("Correct digits of Ω²"),
         _("Largest eigenvalue that should be 0"),
         _("Negative or complex"),
     )
     rows: Table = [head]
     for sweep in sweeps:
-        error = float(np.nanmax(np.abs(sweep.error_ulp)))
+        digits = str(count_digits(float(np.nanmax(np.abs(sweep.error_ulp))), sweep.dtype))
         largest = float(np.nanmax(np.abs(sweep.zero_modes)))
         zero = quantity(largest, "rad²/s²") if largest else _("exactly 0")
         count = _("{count} of {all}").format(count=int(sweep.lacks_real_frequency.sum()), all=sweep.error_ulp.size)
-        rows.append((SOLVERS[sweep.solver].title, sweep.dtype, quantity(error, "ulp"), zero, count))
+        rows.append((SOLVERS[sweep.solver].title, sweep.dtype, digits, zero, count))
+    return rows
+
+
+def arithmetic_table(prices: Mapping[str, Price]) -> Table:
+    """List the kinds of arithmetic with their times and errors."""
+    rows: Table = [(_("Arithmetic"), _("Time for one Ω²"), _("Largest relative error"))]
+    for name, price in prices.items():
+        rows.append((ARITHMETICS[name].title, duration(price.seconds), number(price.error)))
     return rows

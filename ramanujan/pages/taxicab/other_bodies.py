@@ -6,19 +6,20 @@ from fractions import Fraction
 import streamlit as st
 
 from ramanujan import number_theory
-from ramanujan.browser import components, stage
-from ramanujan.browser.roles import container
-from ramanujan.figures import taxicab as figures
+from ramanujan.browser import stage
+from ramanujan.browser.components import pick
+from ramanujan.figures import taxicab_page as figures
 from ramanujan.number_theory import BODIES, BodyChoice
-from ramanujan.numerals import filled, in_latex
 from ramanujan.pages.taxicab import cache
 from ramanujan.shell import address, display_mode, drawings, sidebar, stages, theme, widgets
 from ramanujan.shell.display_mode import slide
-from ramanujan.shell.sections.bodies import PAPER_BODIES, PLACE_WORDS, PLACES
-from ramanujan.translation import _, ngettext
+from ramanujan.shell.sections.places import PAPER_BODIES, PLACE_WORDS, PLACES
+from ramanujan.text.names import SHAPES
+from ramanujan.text.numerals import filled, in_latex
+from ramanujan.text.translation import _, ngettext
 
-WORDS = {"hoop": _("hoop"), "shell": _("shell"), "cylinder": _("cylinder"), "sphere": _("sphere")}
-"""Body → its name."""
+WORDS = SHAPES | {"shell": _("shell")}
+"""Body → its name, short enough for a cell of the grid."""
 URL_PARAMETERS = tuple(address.Choice(place, WORDS, body) for place, body in PAPER_BODIES.items())
 STAGE = "stage_bodies"
 """Key of the stage."""
@@ -29,14 +30,6 @@ DEPENDENT_FRAGMENTS = ("bodies_machine", "bodies_numbers")
 def draw_other_bodies() -> None:
     """Draw options, stage, numbers and the table of all machines."""
     with slide("bodies", _("Other bodies")):
-        st.header(_("Other bodies, other numbers"), anchor=False)
-        st.markdown(
-            _(
-                "Does 1729 come from the machine or from these bodies? Try others. A body of mass $M$ and radius $R$ "
-                "has the moment of inertia $I=\\beta MR^2$; the farther out its mass, the larger its shape factor "
-                "$\\beta$."
-            )
-        )
         draw_options()
         chosen = [address.current(key) for key in URL_PARAMETERS]
         results = cache.results(*chosen)
@@ -45,18 +38,26 @@ def draw_other_bodies() -> None:
         publish_machine(chosen)
     with slide("forty", _("All machines")):
         table, words = st.columns([1, 1], gap="medium")
-        with words:
-            describe_machine(results)
         with table:
             draw_all_machines(results.machine)
+        with words:
+            describe_machine(results)
 
 
 def draw_options() -> None:
-    """Draw the options in the arrangement of the machine: the top body is above, to the right."""
-    pictures, above = st.columns(2, vertical_alignment="center")
-    pictures.html(bodies_html(theme.colors()["block"]))
-    left, right = st.columns(2)
-    for column, parameter in zip((left, right, above), URL_PARAMETERS, strict=True):
+    """Draw the bodies, and below them the options in one row."""
+    words, bodies = st.columns(2)
+    with words:
+        st.header(_("Other bodies, other numbers"), anchor=False)
+        st.markdown(
+            _(
+                "Does 1729 come from the machine or from these bodies? Try others. A body of mass $M$ and radius $R$ "
+                "has the moment of inertia $I=\\beta MR^2$; the farther out its mass, the larger its shape factor "
+                "$\\beta$."
+            )
+        )
+    bodies.html(bodies_html(theme.colors()["block"]))
+    for column, parameter in zip(st.columns(3, gap="small"), URL_PARAMETERS, strict=True):
         with column:
             widgets.segmented_control(parameter, PLACE_WORDS[parameter.name])
 
@@ -78,9 +79,7 @@ def describe_machine(results: cache.Results) -> None:
     """Describe the machine with the chosen bodies."""
     machine = results.machine
     st.markdown(f"**{machine_name(machine)}**")
-    st.latex(results.quadratic)
-    st.latex(rf"\varepsilon = {results.root}")
-    st.latex(results.square)
+    st.latex(cache.aligned(results.quadratic, rf"\varepsilon = {results.root}", results.square))
     st.markdown(describe_cubes(results))
     describe_current_masses(machine)
     with st.expander(_("The discriminant of the number field")):
@@ -114,7 +113,7 @@ def describe_cubes(results: cache.Results) -> str:
     if ways:
         sentence = ngettext(
             "The discriminant {number} is a sum of two positive cubes in one way: ${cubes}$.",
-            "The discriminant {number} is a sum of two positive cubes **in {n:word} ways**: ${cubes}$.",
+            "The discriminant {number} is a sum of two positive cubes **in {n} ways**: ${cubes}$.",
             ways,
         )
     discriminant = str(results.machine.discriminant)
@@ -139,7 +138,9 @@ def _describe_field(machine: BodyChoice) -> str:
 
 def draw_all_machines(chosen: BodyChoice) -> None:
     """Draw the discriminants of all machines in one figure: a row for each pair, a column for each body on top."""
-    machines, columns, pairs = cache.machines(), list(BODIES), roller_pairs()
+    machines, columns = cache.machines(), list(BODIES)
+    # The machines are in the order of the figure, row by row.
+    pairs = [(machine.left, machine.right) for machine in machines[:: len(columns)]]
     left, right = sorted((chosen.left, chosen.right), key=columns.index)
     cell = pairs.index((left, right)), columns.index(chosen.top)
     best = max(machines, key=lambda machine: len(machine.cubes))
@@ -147,7 +148,7 @@ def draw_all_machines(chosen: BodyChoice) -> None:
     facts = {"count": len(machines), "best": best.discriminant, "one": one, "other": other}
     drawings.plot(
         figures.draw_machine_grid(
-            [pair_name(*names) for names in pairs],
+            [_("{left} + {right}").format(left=WORDS[left], right=WORDS[right]) for left, right in pairs],
             [WORDS[body] for body in columns],
             [machine.discriminant for machine in machines],
             [len(machine.cubes) for machine in machines],
@@ -161,14 +162,12 @@ def draw_all_machines(chosen: BodyChoice) -> None:
             "Marked: {chosen} ({name})."
         ).format(**facts, chosen=chosen.discriminant, name=machine_name(chosen)),
     )
-    components.pick("machines", select_clicked_machine)
+    pick.mount("machines", select_clicked_machine)
     sentence = _(
-        "The discriminants of all {count} machines, for Ω² = k/m. Highlighted: a sum of two positive cubes, {best} in "
-        "two ways, {one} and {other} in one."
+        "The {count} discriminants for Ω² = k/m. Choose one to build its machine. Highlighted: sums of two positive "
+        "cubes, {best} in two ways, {one} and {other} in one."
     )
     st.caption(sentence.format(**facts))
-    with container("click", "machine"):
-        st.caption(_("Click on a machine to build it."))
 
 
 def select_clicked_machine(point: dict[str, float]) -> None:
@@ -181,22 +180,11 @@ def select_clicked_machine(point: dict[str, float]) -> None:
         st.session_state.update(zip(PLACES, machine.bodies, strict=True))
 
 
-def roller_pairs() -> list[tuple[str, str]]:
-    """Return the ten pairs of lower rollers, in the order of `cache.machines`."""
-    first_of_pair = cache.machines()[:: len(BODIES)]
-    return [(machine.left, machine.right) for machine in first_of_pair]
-
-
 def machine_name(machine: BodyChoice) -> str:
     """Return the names of the bodies."""
     return _("Lower rollers: {left} and {right}; on\u00a0top: {top}").format(
         **{place: WORDS[body] for place, body in zip(PLACES, machine.bodies, strict=True)}
     )
-
-
-def pair_name(left: str, right: str) -> str:
-    """Return the names of a pair of lower rollers."""
-    return _("{left} + {right}").format(left=WORDS[left], right=WORDS[right])
 
 
 def bodies_html(color: str) -> str:

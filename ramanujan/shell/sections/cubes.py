@@ -1,8 +1,8 @@
 """The two stacks of cubes, on the page 1729 and at the last step of the derivation."""
 
-from ramanujan.browser import components
+from ramanujan.browser.components import cubes
 from ramanujan.number_theory import BodyChoice
-from ramanujan.translation import _
+from ramanujan.text.translation import _
 
 PAPER = BodyChoice()
 """The paper's machine."""
@@ -10,9 +10,9 @@ PAPER = BodyChoice()
 
 def draw_stacks() -> None:
     """Draw the two stacks, each with its sum. A line breaks only before an equals sign."""
-    components.cubes(
+    cubes.mount(
         [(larger, smaller) for smaller, larger in PAPER.cubes],
-        [describe_cubes(*cubes) for cubes in PAPER.cubes],
+        [describe_cubes(smaller, larger) for smaller, larger in PAPER.cubes],
         [f"{x}³ + {y}³ =\u00a0{x**3}\u00a0+\u00a0{y**3} =\u00a0{PAPER.discriminant}" for x, y in PAPER.cubes],
     )
 

@@ -1,27 +1,24 @@
 """An exercise by link: questions and tasks that the lecturer chose, one at a time, and at the end a worksheet.
 
-The lecturer composes the link on the page Worksheet. The link for students contains the name of the exercise, and the
-lecturer's link also contains its key (`shell/worksheet_keys.py`).
+The lecturer composes the link on the page Worksheet.
 """
 
 import streamlit as st
 
 from ramanujan import lesson
 from ramanujan.answers import QUESTIONS, find_question
-from ramanujan.browser import components
-from ramanujan.shell import address, display_mode, widgets, worksheet_keys
+from ramanujan.browser.components import turn
+from ramanujan.shell import address, widgets
 from ramanujan.shell.display_mode import slide
-from ramanujan.shell.navigation import PAGES
+from ramanujan.shell.menu import PAGES
 from ramanujan.shell.parameters import PARAMETERS
-from ramanujan.shell.sections import questions, tasks
-from ramanujan.translation import _
+from ramanujan.shell.sections import tasks, typed_answer
+from ramanujan.text.translation import _
 
 ITEMS = (*QUESTIONS, *(task.id for task in lesson.TASKS))
 EXERCISE = address.Several("exercise", ITEMS)
 ITEM = address.Count("item", len(ITEMS) + 1)
-WORKSHEET = worksheet_keys.name_parameter("exercise_name")
-KEY = worksheet_keys.key_parameter("exercise_key")
-URL_PARAMETERS = (EXERCISE, ITEM, WORKSHEET, KEY)
+URL_PARAMETERS = (EXERCISE, ITEM)
 END = _("Your worksheet")
 FILE = "exercise.md"
 
@@ -29,36 +26,33 @@ FILE = "exercise.md"
 def draw_exercise(items: tuple[str, ...]) -> None:
     """Draw the current item of an exercise, or the worksheet after the last item."""
     headings = [*map(find_title, items), END]
-    has_key = worksheet_keys.fits(KEY, address.current(WORKSHEET))
     now = min(address.current(ITEM), len(headings))
     with st.container(key="lesson_head"):
         place = _("Part {now} of {count}: {heading}")
-        components.turn(headings, now, lambda to: st.session_state.update({ITEM.name: to}), place=place)
+        turn.mount_lesson(headings, now, lambda to: st.session_state.update({ITEM.name: to}), place=place)
     if now > len(items):
         draw_worksheet(items)
         return
     item = items[now - 1]
     if item in QUESTIONS:
-        draw_question(item, has_key)
+        draw_question(item)
     else:
         verdict = tasks.draw_task(lesson.find_task(item))
         if verdict.is_done:
-            questions.store_answer(item, verdict.sentence, is_right=True)
+            typed_answer.store_answer(item, verdict.sentence, is_right=True)
 
 
-def draw_question(name: str, has_key: bool) -> None:
-    """Draw a question of an exercise. With the author's key, also draw the step to the answer."""
+def draw_question(name: str) -> None:
+    """Draw a question of an exercise."""
     with slide("question", find_title(name)):
         st.title(find_title(name), anchor=False)
-        questions.judge_typed(name)
-        questions.draw_question(name, with_step=has_key)
-        if has_key:
-            st.latex(questions.typeset_answer_step(name))
+        typed_answer.judge_typed(name)
+        typed_answer.draw_question(name, with_step=False)
 
 
 def find_title(item: str) -> str:
     """Return the title of a question or task."""
-    return questions.find_title(item) if item in QUESTIONS else lesson.find_task(item).heading
+    return typed_answer.find_title(item) if item in QUESTIONS else lesson.find_task(item).heading
 
 
 def draw_worksheet(items: tuple[str, ...]) -> None:
@@ -86,7 +80,7 @@ def write_worksheet(items: tuple[str, ...]) -> str:
 def list_results(item: str) -> list[str]:
     """Return Markdown lines: the answer to a question or task, when it was first right, and the number of hints."""
     is_question = item in QUESTIONS
-    answer = questions.find_answer(item)
+    answer = typed_answer.find_answer(item)
     hints = widgets.count_shown_hints(item if is_question else f"task_{item}")
     lines = []
     if answer is None:
@@ -107,9 +101,7 @@ def list_results(item: str) -> list[str]:
 
 
 def draw_composer() -> None:
-    """Draw the editor for the links of an exercise. It is neither printed nor shown in the projector view."""
-    if display_mode.is_projector():
-        return
+    """Draw the editor for the link of an exercise. It is not printed."""
     with st.expander(_("Make an exercise of questions and tasks, as a link for students")):
         chosen = st.multiselect(
             _("Questions and tasks, in their order"),
@@ -124,14 +116,11 @@ def draw_composer() -> None:
             return
         # The link also contains the sliders of the lecturer's machine that differ from their defaults.
         machine = {
-            parameter.name: f"{parameter.value:g}"
+            parameter.name: parameter.write(parameter.value)
             for parameter in PARAMETERS.values()
             if parameter.value != parameter.default
         }
-        key = st.session_state.setdefault("composed_key", worksheet_keys.new())
-        query = {**machine, EXERCISE.name: EXERCISE.write(tuple(chosen)), WORKSHEET.name: worksheet_keys.name(key)}
+        query = {**machine, EXERCISE.name: EXERCISE.write(tuple(chosen))}
         link = address.link_for_others(query, PAGES["lesson"].path).geturl()
         st.markdown(_("For your students:"))
         st.code(link, language=None, wrap_lines=True)
-        st.markdown(_("For you, with the key:"))
-        st.code(f"{link}&{KEY.name}={key}", language=None, wrap_lines=True)

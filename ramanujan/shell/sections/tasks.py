@@ -1,24 +1,23 @@
 """The tasks of the lesson on the page: choose a task, set the machine, read the verdict."""
 
 from dataclasses import replace
-from functools import partial
 
 import streamlit as st
 
 from ramanujan.accuracy.work_precision import STEPS_PER_PERIOD
-from ramanujan.browser import components, stage
-from ramanujan.browser.roles import container
-from ramanujan.browser.stage.words import BODIES as BODY_WORDS
-from ramanujan.integrators import METHODS
+from ramanujan.browser import stage
+from ramanujan.browser.components import stopwatch
+from ramanujan.browser.containers import container
 from ramanujan.lesson import Attempt, Task, TaskVerdict
-from ramanujan.motion import with_initial_velocities
-from ramanujan.number_theory import BODIES
-from ramanujan.numerals import explain_ambiguous_number
+from ramanujan.physics.integrators import METHODS
+from ramanujan.physics.motion import with_initial_velocities
 from ramanujan.shell import address, parameters, sidebar, stages, widgets
 from ramanujan.shell.display_mode import is_projector, picture_and_words, slide
-from ramanujan.shell.parameters import WATCH, Parameter, read_number
-from ramanujan.shell.sections import bodies
-from ramanujan.translation import _
+from ramanujan.shell.parameters import WATCH, Parameter
+from ramanujan.shell.sections import places
+from ramanujan.text.names import SHAPES
+from ramanujan.text.reading import explain_ambiguous_number, read_number
+from ramanujan.text.translation import _
 
 # As in `parameters`: name, symbol, meaning, unit, least, most, default, step, format, scale.
 RELEASE = Parameter("task_x0", "x₀", _("Compression at release"), "cm", 0.0, 12.0, 8.0, 0.1, "%.1f", 0.01)
@@ -26,8 +25,7 @@ GLIDE, SPIN = replace(parameters.GLIDE, name="task_glide"), replace(parameters.S
 METHOD = address.Choice("task_method", {name: method.title for name, method in METHODS.items()}, "rk4")
 STEPS = address.Count("task_steps", STEPS_PER_PERIOD[-1], default=100, least=STEPS_PER_PERIOD[0])
 PERIODS = address.Count("task_periods", 100, default=10)
-WORDS = {body: BODY_WORDS[body] for body in BODIES}
-BODY_PARAMETERS = [address.Choice(f"task_{place}", WORDS, body) for place, body in bodies.PAPER_BODIES.items()]
+BODY_PARAMETERS = [address.Choice(f"task_{place}", SHAPES, body) for place, body in places.PAPER_BODIES.items()]
 """The URL parameters of the bodies at the places left, right and top."""
 URL_PARAMETERS = (RELEASE, GLIDE, SPIN, METHOD, STEPS, PERIODS, *BODY_PARAMETERS)
 _EXAMPLE = _("For example {entry}")
@@ -105,9 +103,11 @@ def draw_machine(task: Task, attempt: Attempt) -> None:
 
 def _bodies() -> tuple[str, ...]:
     """Draw a menu for the body at each place, and return the three bodies."""
-    labels = bodies.PLACE_WORDS.values()
-    menus = [partial(widgets.selectbox, place, label) for place, label in zip(BODY_PARAMETERS, labels, strict=True)]
-    return tuple(widgets.draw_in_columns(3, *menus))
+    bodies = []
+    for column, parameter, label in zip(st.columns(3), BODY_PARAMETERS, places.PLACE_WORDS.values(), strict=True):
+        with column:
+            bodies.append(widgets.selectbox(parameter, label))
+    return tuple(bodies)
 
 
 def _part() -> float | None:
@@ -125,7 +125,7 @@ FIELDS = {
     "glide": lambda: widgets.page_slider(GLIDE),
     "spin": lambda: widgets.page_slider(SPIN),
     "part": _part,
-    "seconds": lambda: components.stopwatch("task_stopwatch"),
+    "seconds": lambda: stopwatch.mount("task_stopwatch"),
     "periods": lambda: widgets.count(PERIODS, _("For how many periods?")),
     "formula": lambda: st.text_input("ε =", key="task_formula", placeholder=_EXAMPLE.format(entry="(sqrt(5) − 1)/2")),
     "method": lambda: widgets.selectbox(METHOD, _("Method")),

@@ -1,9 +1,0 @@
-// Writes the value above a slider's thumb with the decimal mark of the server's language and a minus sign (−). Streamlit writes a
-// point, or the decimal mark of the browser's language.
-
-import { DECIMAL } from "./language.js";
-import { dom } from "./streamlit_dom.js";
-
-export default function (component, signal) {
-  dom.watchSliderValues((text) => text.replace("-", "−").replace(".", DECIMAL), signal);
-}

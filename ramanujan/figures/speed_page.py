@@ -1,0 +1,361 @@
+"""The figures of the speed page: growth of errors, work–precision diagram, forms of Ω², and phase errors."""
+
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+
+from ramanujan.figures import EncodedFigure, build_figure, line, logarithmic, marks, note
+from ramanujan.figures.logarithmic import Colors, axis, level_line, log_axis, method_look, select_drawable
+from ramanujan.text.numerals import number
+from ramanujan.text.translation import _, ngettext
+
+_NAMED = "<extra>%{fullData.name}</extra>"
+"""The second hover box of Plotly, with the name of the curve."""
+_AFTER = _("after {periods} periods: {error}")
+_STRIP_HEIGHT, _HALF_STRIP = 50, 0.24
+"""The height of a form's strip with the name above it [px], and half the strip's fraction of that height."""
+_MARGIN = {"l": 60, "r": 28, "t": 12, "b": 48}
+_STRONG, _GRAY = 4.0, 1.5
+"""The widths of the line of the chosen method, and of the other methods [px]."""
+_LONGEST_NAME = 18
+"""The largest number of letters of a name in one line at the right edge."""
+_LINE_HEIGHT = 0.095
+"""The height of a line of a name on a slide, in fractions of the plotting area."""
+DOUBLE = "float64"
+"""The precision of solid lines."""
+
+
+CurveArrays = tuple[np.ndarray, np.ndarray, np.ndarray]
+"""The points of one method: three arrays of equal length."""
+
+
+@dataclass(frozen=True)
+class Part:
+    """A part of a form's strip between two exponents of ten, whether the form is right in it, and a label."""
+
+    start: float
+    end: float
+    is_right: bool
+    label: str
+
+
+def draw_error_growth(
+    curves: Mapping[str, tuple[np.ndarray, np.ndarray]],
+    chosen: str,
+    *,
+    title: str,
+    limits: tuple[float, float],
+    allowed: float | None,
+    colors: Colors,
+) -> EncodedFigure:
+    """Draw an error of all methods against the number of periods, both logarithmic; the axes never change.
+
+    Each line has its name at the right edge, with an arrow if the line ends outside of the figure.
+
+    Parameters
+    ----------
+    curves : name of each method → numbers of periods from 1, and the error after them
+    chosen : the name of the method that is drawn strongly, among gray ones
+    title : of the error axis
+    limits : of the error axis. A line with other errors leaves the figure.
+    allowed : the largest error allowed, if any
+    colors : the theme's
+    """
+    traces = []
+    line_ends = {}
+    right = max(float(periods[-1]) for periods, _errors in curves.values())
+    # Draw the chosen method last, above the others.
+    for name in sorted(curves, key=lambda name: name == chosen):
+        periods, errors = curves[name]
+        look = {"color": colors["primary"], "width": _STRONG} if name == chosen else _gray(colors)
+        curve = line(periods, select_drawable(errors, limits[1]), **look)
+        properties = {
+            "name": name,
+            "hovertemplate": _AFTER.format(periods="%{x}", error="%{customdata}") + _NAMED,
+            "xhoverformat": ".4~g",
+            "customdata": _format_numbers(errors),
+        }
+        traces.append(curve | properties)
+        last = np.nan_to_num(errors[-1], nan=np.inf)
+        arrow = " ↑" if last > limits[1] else " ↓" if last < limits[0] else ""
+        line_ends[name + arrow] = right, float(np.clip(last, *limits))
+        if name == chosen:
+            chosen_label = name + arrow
+    if allowed is not None:
+        traces.append(level_line((1.0, right), allowed, _("error allowed"), colors))
+        line_ends[_("error allowed")] = right, allowed
+    leaders, names = _name_lines(line_ends, chosen_label, right, limits, colors)
+    x_axis = axis(_("periods"), (0.0, float(np.log10(right)) + 0.1), type="log", tickvals=[1, 3, 10, 30])
+    return build_figure(
+        [*leaders, *traces],
+        colors,
+        336,
+        margin=_MARGIN,
+        xaxis=x_axis,
+        yaxis=log_axis(title, limits),
+        yaxis2=names,
+    )
+
+
+def _gray(colors: Colors) -> dict[str, Any]:
+    """Return the look of the line of a method that is not the chosen one."""
+    return {"color": colors["block"], "width": _GRAY}
+
+
+@dataclass(frozen=True)
+class MarkedRun:
+    """A run with a large mark in a work-precision diagram.
+
+    Parameters
+    ----------
+    cost, error : position of the mark
+    symbol, size : Plotly's name of the mark, and its size [px]
+    color : key of the theme's colours
+    is_named : whether its name is beside the mark
+    """
+
+    cost: float
+    error: float
+    symbol: str
+    size: int
+    color: str
+    is_named: bool = True
+
+
+def draw_work_precision(
+    curves: Mapping[tuple[str, str], CurveArrays],
+    *,
+    chosen: str | None,
+    titles: tuple[str, str],
+    limits: tuple[float, float],
+    tolerance: float,
+    marked_runs: Mapping[str, MarkedRun],
+    tried: Sequence[tuple[float, float]] = (),
+    colors: Colors,
+) -> EncodedFigure:
+    """Draw error against cost, both logarithmic: solid with marks in float64, dotted in float32.
+
+    Parameters
+    ----------
+    curves : name of the method and its precision → cost, error and steps per period of each run
+    chosen : the name of the method that is drawn strongly, if any; the others are gray
+    titles : of the cost axis and of the error axis
+    limits : of the error axis
+    tolerance : the largest error allowed
+    marked_runs : name → a run with a large mark
+    tried : cost and error of runs with a small mark
+    colors : the theme's
+    """
+    hover = _("cost {cost}, error {error}").format(cost="%{customdata[0]}", error="%{customdata[1]}") + _NAMED
+    costs: list[float] = [cost for cost, _error in tried]
+    costs += [run.cost for run in marked_runs.values()]
+    for costs_of_method, _error, _steps in curves.values():
+        costs += [costs_of_method[0], costs_of_method[-1]]
+    ends = min(costs), max(costs)
+    traces = _method_curves(curves, chosen, limits, hover, colors)
+    line_ends = {
+        name: (cost[-1], error[-1]) for (name, dtype), (cost, error, _steps) in curves.items() if dtype == DOUBLE
+    }
+    line_ends[_("error allowed")] = ends[1], tolerance
+    leaders, names = _name_lines(line_ends, chosen, ends[1], limits, colors)
+    traces += leaders
+    traces.append(level_line(ends, tolerance, _("error allowed"), colors))
+    for cost, error in tried:
+        mark = marks([cost], [error], "diamond-open", 11, colors["ink"], width=2)
+        traces.append(mark | {"customdata": _points([cost], [error]), "hovertemplate": hover})
+    notes = []
+    for name, run in marked_runs.items():
+        height = max(run.error, limits[0])
+        mark = marks([run.cost], [height], run.symbol, run.size, colors[run.color], width=3)
+        # A mark at an edge is not cut.
+        properties = {"name": name, "hovertemplate": hover, "cliponaxis": False}
+        traces.append(mark | properties | {"customdata": _points([run.cost], [run.error])})
+        if run.is_named:
+            anchors = {"xanchor": "left", "yanchor": "bottom", "xshift": run.size / 2}
+            notes.append(note(name, colors[run.color], np.log10(run.cost), np.log10(height)) | anchors)
+    x_range = float(np.log10(ends[0])) - 0.1, float(np.log10(ends[1])) + 0.1
+    return build_figure(
+        traces,
+        colors,
+        384,
+        margin=_MARGIN,
+        annotations=notes,
+        xaxis=axis(titles[0], x_range, type="log", dtick=1),
+        yaxis=log_axis(titles[1], limits),
+        yaxis2=names,
+    )
+
+
+def _method_curves(
+    curves: Mapping[tuple[str, str], CurveArrays],
+    chosen: str | None,
+    limits: tuple[float, float],
+    hover: str,
+    colors: Colors,
+) -> list[dict[str, Any]]:
+    """Return the traces of the methods, the chosen one last."""
+    methods = list(dict.fromkeys(name for name, _dtype in curves))
+    traces = []
+    for (name, dtype), (cost, error, steps) in sorted(curves.items(), key=lambda entry: entry[0][0] == chosen):
+        is_double = dtype == DOUBLE
+        look = {"color": colors["primary"], "width": _STRONG} if name == chosen else _gray(colors)
+        curve = line(cost.astype(np.float32), select_drawable(error, limits[1]), **look)
+        curve["line"]["dash"] = "solid" if is_double else "dot"
+        properties: dict[str, Any] = {
+            "mode": "lines+markers" if is_double else "lines",
+            "marker": {"symbol": logarithmic.SYMBOLS[methods.index(name)], "size": 7},
+            "name": name,
+            "text": [_describe_steps(dtype, int(n)) for n in steps],
+            "hovertemplate": f"%{{text}}<br>{hover}",
+            "customdata": _points(cost, error),
+        }
+        traces.append(curve | properties)
+    return traces
+
+
+def _name_lines(
+    line_ends: Mapping[str, tuple[float, float]],
+    chosen: str | None,
+    right: float,
+    limits: tuple[float, float],
+    colors: Colors,
+) -> tuple[list[dict[str, Any]], dict[str, Any]]:
+    """Return a leader from the end of each line to its name, and the axis at the right edge with the names.
+
+    Names are tick labels, because Plotly widens the margin for these, but not for annotations.
+    """
+    low, high = np.log10(limits)
+    names = sorted(line_ends, key=lambda name: -line_ends[name][1])
+    labels = [name if len(name) <= _LONGEST_NAME else name.replace(" ", "<br>", 1) for name in names]
+    halves = [(high - low) * _LINE_HEIGHT * (label.count("<br>") + 1) / 2 for label in labels]
+    heights = [float(np.clip(np.log10(line_ends[name][1]), low, high)) for name in names]
+    # Move neighbours apart by equal distances until no two names overlap.
+    for _step in range(200):
+        for n in range(1, len(names)):
+            overlap = max(0.0, heights[n] + halves[n] + halves[n - 1] - heights[n - 1])
+            heights[n - 1] += overlap / 2
+            heights[n] -= overlap / 2
+        heights[0] = min(heights[0], high - halves[0])
+        heights[-1] = max(heights[-1], low + halves[-1])
+    levels = [10.0**height for height in heights]
+    edge = right * 10**0.1
+    leaders = []
+    for name, level in zip(names, levels, strict=True):
+        cost, error = line_ends[name]
+        leader = line([float(cost), edge], [float(error), level], color=colors["faint"], width=1)
+        leaders.append(leader | {"hoverinfo": "skip", "yaxis": "y2"})
+    texts = []
+    for name, label in zip(names, labels, strict=True):
+        is_chosen = name == chosen
+        texts.append(f'<b style="color:{colors["primary"]}">{label}</b>' if is_chosen else label)
+    right_axis = log_axis("", limits) | {
+        "overlaying": "y",
+        "side": "right",
+        "showgrid": False,
+        "showline": False,
+        "ticks": "",
+        "tickvals": levels,
+        "ticktext": texts,
+    }
+    return leaders, right_axis
+
+
+def draw_forms(strips: Mapping[str, Sequence[Part]], *, quantity: str, colors: Colors) -> EncodedFigure:
+    """Draw a strip for each form of Ω², divided into the ranges where the form is right, and where it fails.
+
+    Parameters
+    ----------
+    strips : name of the form → its parts, in order
+    quantity : title of the horizontal axis, along which the parts are given as exponents of ten
+    colors : the theme's
+    """
+    rows: list[int] = []
+    parts: list[Part] = []
+    for row, parts_of_form in enumerate(strips.values()):
+        rows += [row] * len(parts_of_form)
+        parts += parts_of_form
+    start, end = min(part.start for part in parts), max(part.end for part in parts)
+    shortest_with_label = (end - start) / 20
+    bars = {
+        "type": "bar",
+        "orientation": "h",
+        "y": rows,
+        "base": [part.start for part in parts],
+        "x": [part.end - part.start for part in parts],
+        "width": 2 * _HALF_STRIP,
+        "marker": {
+            "color": [colors["primary"] if part.is_right else colors["ink"] for part in parts],
+            "line": {"color": colors["paper"], "width": 2},
+        },
+        # A part that is too short for a legible label has only a hover text.
+        "text": [part.label if part.end - part.start > shortest_with_label else "" for part in parts],
+        "customdata": [part.label for part in parts],
+        "textposition": "inside",
+        "insidetextanchor": "middle",
+        "textangle": 0,
+        "constraintext": "none",
+        "textfont": {"color": colors["paper"], "size": 13},
+        "hovertemplate": "%{customdata}<extra></extra>",
+    }
+    above = {"xanchor": "left", "yanchor": "bottom"}
+    notes = [note(name, colors["ink"], start, row - _HALF_STRIP) | above for row, name in enumerate(strips)]
+    # The first strip is at the top. The margins, in strips, leave room for its name and below the last strip.
+    hidden = {"visible": False, "range": [len(strips) - 0.65, -0.8], "fixedrange": True}
+    x_axis = logarithmic.power_axis(quantity, start, end) | {"showgrid": False}
+    height = 84 + _STRIP_HEIGHT * len(strips)
+    return build_figure(
+        [bars], colors, height, margin=_MARGIN | {"l": 28}, xaxis=x_axis, yaxis=hidden, annotations=notes
+    )
+
+
+def draw_phase_errors(periods: Sequence[float], curves: Mapping[str, Sequence[float]], colors: Colors) -> EncodedFigure:
+    """Draw the phase error against the number of periods for each method; both axes logarithmic.
+
+    Parameters
+    ----------
+    periods : 1, 10, 100, …
+    curves : name → phase error [rad]
+    colors : the theme's
+    """
+    hover = _AFTER.format(periods="%{customdata[0]}", error="%{customdata[1]}\u202frad") + _NAMED
+    traces, notes = [], []
+    middle, last = len(periods) // 2, len(periods) - 1
+    # Point of the curve → position of its name. Only the first two curves rise.
+    below = {"xanchor": "left", "yanchor": "top", "xshift": 10}
+    above = {"xanchor": "right", "yanchor": "bottom", "yshift": 4}
+    places = ((middle, below), (middle, below), (last, above))
+    for index, ((name, errors), (point, place)) in enumerate(zip(curves.items(), places, strict=True), start=1):
+        color, symbol = method_look(index, colors)
+        properties = {
+            "name": name,
+            "mode": "lines+markers",
+            "marker": {"symbol": symbol, "size": 8},
+            "hovertemplate": hover,
+            "customdata": _points(periods, errors),
+        }
+        traces.append(line(list(periods), list(errors), color=color, width=3) | properties)
+        notes.append(note(name, color, np.log10(periods[point]), np.log10(max(errors[point], 1e-17))) | place)
+    lost = _("half a turn: phase lost")
+    traces.append(level_line([periods[0], periods[-1]], np.pi, lost, colors))
+    notes.append(note(lost, colors["ink"], np.log10(periods[0]), np.log10(np.pi)) | above | {"xanchor": "left"})
+    x_range = float(np.log10(periods[0])), float(np.log10(periods[-1]))
+    x_axis = axis(_("periods"), x_range, type="log", dtick=3)
+    y_axis = log_axis(_("phase error [rad]"), (1e-17, 1e3))
+    return build_figure(traces, colors, 320, margin=_MARGIN, annotations=notes, xaxis=x_axis, yaxis=y_axis)
+
+
+def _points(x: Iterable[float], y: Iterable[float]) -> list[list[str]]:
+    """Return the formatted coordinates of each point."""
+    return [list(point) for point in zip(_format_numbers(x), _format_numbers(y), strict=True)]
+
+
+def _format_numbers(values: Iterable[float]) -> list[str]:
+    """Return the formatted numbers. Plotly would write 3.2e-7 in every language."""
+    return [number(float(value), 3, strip=True) for value in values]
+
+
+def _describe_steps(dtype: str, n: int) -> str:
+    sentence = ngettext("{dtype}, {n} step per period", "{dtype}, {n} steps per period", n)
+    return sentence.format(dtype=dtype, n=n)

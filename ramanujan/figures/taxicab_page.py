@@ -1,0 +1,120 @@
+"""The figures of the page 1729: the target on the Ω² curve, and the 40 machines."""
+
+from collections.abc import Mapping, Sequence
+
+import numpy as np
+
+from ramanujan.figures import NO_NAME, NORMALIZED, EncodedFigure, build_figure, line, marks, note
+from ramanujan.figures.oscillator_page import Mark, arrow_label, draw_over_ratios
+from ramanujan.text.translation import _
+
+
+def draw_level_crossing(
+    ratios: np.ndarray,
+    values: np.ndarray,
+    *,
+    level: float,
+    level_label: str,
+    root: float,
+    root_label: str,
+    present: tuple[float, float],
+    colors: Mapping[str, str],
+) -> EncodedFigure:
+    """Draw Ω²m/k against ε, the target level, and the one mass ratio at which the curve has that value.
+
+    Parameters
+    ----------
+    ratios, values : ε and Ω²m/k along the curve, dimensionless, shape (n,)
+    level, level_label : the target w and its label
+    root, root_label : the mass ratio with Ω²m/k = w, and its label
+    present : ε and Ω²m/k of the present machine
+    colors : ink, faint, paper, primary, top
+    """
+    yours = _("your machine")
+    hover = f"<i>ε</i> = %{{x:.6g}}<br>{NORMALIZED} = %{{y:.6g}}<extra></extra>"
+    present_ratio, present_value = present
+    ring = marks([present_ratio], [present_value], "circle-open", 20, colors["primary"], width=3)
+    traces = [
+        line([ratios[0], ratios[-1]], [level] * 2, color=colors["ink"], dash="dot"),
+        line(np.float32(ratios), np.float32(values), color=colors["primary"], width=3, shape="spline"),
+        ring | {"hovertemplate": f"{yours}<br>{hover}"},
+        marks([root], [level], "star", 16, colors["top"]),
+    ]
+    left, right = float(ratios[0]), float(ratios[-1])
+    # The label avoids the falling curve: above its flat start, below its steep part, or above its flat end.
+    at_start = root < left + 0.4 * (right - left)
+    if at_start:
+        offset, anchor = (22, -50), "left"
+        level_end, beside = right, {"xanchor": "right", "xshift": -6}
+    else:
+        is_at_flat_end = level < 0.35 * values[0]
+        offset, anchor = (-22, -50 if is_at_flat_end else 40), "right"
+        level_end, beside = left, {"xanchor": "left", "xshift": 6}
+    notes = [
+        arrow_label(Mark(root, level, root_label), offset, anchor, colors),
+        note(level_label, None, level_end, level) | beside | {"yanchor": "bottom", "yshift": 3},
+    ]
+    highest, ratio_axis = 1.3 * float(values[0]), {"range": (left, right)}
+    return draw_over_ratios(traces, highest, hover, colors, ratio_axis, height=304, annotations=notes)
+
+
+def draw_machine_grid(
+    rows: Sequence[str],
+    columns: Sequence[str],
+    numbers: Sequence[int],
+    ways: Sequence[int],
+    chosen: tuple[int, int],
+    colors: Mapping[str, str],
+) -> EncodedFigure:
+    """Draw the discriminants of all machines as a clickable table; sums of two cubes are highlighted.
+
+    Parameters
+    ----------
+    rows, columns : the pairs of lower rollers, the top bodies
+    numbers : the discriminants, row by row
+    ways : for each discriminant, the number of ways to write it as a sum of two positive cubes
+    chosen : row and column of the marked machine
+    colors : ink, faint, paper, primary, hoop, on_hoop
+    """
+    # The cells row by row, as column and row. A cell's colour shows 0, 1, or at least 2 ways.
+    cells = [(x, y) for y in range(len(rows)) for x in range(len(columns))]
+    ways = np.minimum(ways, 2).tolist()
+    # A color scale with steps has each colour at both ends of its interval.
+    color_scale = []
+    for step, color in enumerate((colors["faint"], colors["hoop"], colors["primary"])):
+        color_scale += [[step / 3, color], [(step + 1) / 3, color]]
+    table = {
+        "type": "heatmap",
+        "z": np.reshape(ways, (len(rows), len(columns))).tolist(),
+        "colorscale": color_scale,
+        **{"zmin": 0, "zmax": 2, "xgap": 3, "ygap": 3, "showscale": False, "hoverinfo": "skip"},
+    }
+    # The numbers belong to marks, because a heatmap does not report clicks.
+    # TRANSLATORS: {lower} is a pair such as hoop + cylinder, {top} is a body such as cylinder.
+    hover = _("{lower} below, {top} on top<br>discriminant {number}")
+    inks = [colors["ink"], colors["on_hoop"], colors["paper"]]
+    clickable = {
+        "type": "scatter",
+        "x": [x for x, _y in cells],
+        "y": [y for _x, y in cells],
+        "mode": "markers+text",
+        "text": [f"<b>{n}</b>" if way else str(n) for n, way in zip(numbers, ways, strict=True)],
+        "textfont": {"size": 13, "color": [inks[way] for way in ways]},
+        "marker": {"symbol": "square", "size": 32, "opacity": 0},
+        "customdata": [[rows[y], columns[x]] for x, y in cells],
+        "hovertemplate": hover.format(lower="%{customdata[0]}", top="%{customdata[1]}", number="%{text}") + NO_NAME,
+    }
+    row, column = chosen
+    around = {"x0": column - 0.49, "x1": column + 0.49, "y0": row - 0.47, "y1": row + 0.47}
+    plain = {"showgrid": False, "showline": False, "ticks": "", "fixedrange": True}
+    across = {"ticktext": columns, "range": [-0.55, len(columns) - 0.45], "side": "top", "title": {"text": _("on top")}}
+    below = {"tickvals": list(range(len(rows))), "ticktext": list(rows), "range": [len(rows) - 0.4, -0.6]}
+    return build_figure(
+        [table, clickable],
+        colors,
+        64 + 32 * len(rows),
+        margin={"l": 128, "r": 4, "t": 52, "b": 4},
+        shapes=[{"type": "rect", "line": {"color": colors["ink"], "width": 3}, **around}],
+        xaxis={**plain, "tickvals": list(range(len(columns))), **across},
+        yaxis={**plain, **below, "tickfont": {"size": 13}},
+    )

@@ -1,0 +1,47 @@
+"""The texts that the first page shares with the standalone file."""
+
+from ramanujan.figures.oscillator_page import FrequencyCurve
+from ramanujan.number_theory import smallest_taxicab, sums_of_two_cubes
+from ramanujan.pages.oscillator import cache
+from ramanujan.pages.oscillator.story import turns_gained
+from ramanujan.text.numerals import number
+from ramanujan.text.translation import _
+
+CURVE_HEADING = _("When is it in step with the plain mass?")
+CURVE_TEXT = _(
+    "The plain mass $m$ on the spring $k$ has the angular frequency $\\sqrt{{k/m}}$, the machine has "
+    "$\\Omega$. They are in step where $\\Omega^2m/k=1$. This depends only on the mass ratio "
+    "$\\varepsilon=m'/m$."
+).format()
+"""The explanation of the curve, with formulas between dollar signs."""
+CURVE_HINT = _("Choose a point of the curve to build the machine with that mass ratio.")
+STEPS_HEADING = _("The derivation in six steps")
+
+
+def question() -> str:
+    """Return the question of the page in Markdown. It compares the machine with the plain mass."""
+    sentences = _(
+        "With m′ = m, the machine’s hand gains one full turn on the plain mass’s in {periods} periods (oscillations). "
+        "**Which m′ keeps them in step?**"
+    )
+    return sentences.format(periods=number(1 / float(turns_gained(1.0)), 2))
+
+
+def reason() -> str:
+    """Return why the ratio in step is remarkable, in Markdown."""
+    sentences = _(
+        "The ratio is {ratio}, and {number} = {sums} is the smallest number with two such sums: the number of Hardy’s "
+        "taxi."
+    )
+    number = smallest_taxicab()
+    sums = " = ".join(f"{x}³\u00a0+\u00a0{y}³" for x, y in sums_of_two_cubes(number))
+    return sentences.format(ratio=cache.unit_ratio(), number=number, sums=sums)
+
+
+def curve_alternative(curve: FrequencyCurve) -> str:
+    """Return the text alternative of the curve."""
+    sentences = _(
+        "Ω²m/k over the mass ratio ε, falling from {light} for light rollers towards {heavy} for heavy ones: heavier "
+        "rollers make the machine slower. It is {equal} at equal masses, and exactly 1 at one ratio only."
+    )
+    return sentences.format(light=curve.light, heavy=curve.heavy, equal=cache.equal_masses_value())

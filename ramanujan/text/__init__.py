@@ -1,0 +1,1 @@
+"""The texts of the app: its language, numbers as people write them, and tables as files."""

@@ -1,0 +1,241 @@
+"""The motion page under AppTest, and its figures: their texts, their precision, and their settings."""
+
+import json
+import re
+from collections import defaultdict
+from unittest import mock
+
+import numpy as np
+import pytest
+
+from ramanujan import Oscillator
+from ramanujan.pages.motion import cache
+from ramanujan.physics.contact import first_to_slip, largest_compression, required_friction
+from ramanujan.text.numerals import at_least, at_most
+from tests.checks.reading import array
+
+PAGE = "ramanujan/pages/motion/page.py"
+VIEWS = ["displacements", "energy", "momentum", "forces"]
+COLORS = defaultdict(lambda: "#808080")
+
+
+def open_page(app, **state):
+    app.run()
+    for key, value in state.items():
+        app.session_state[key] = value
+    app.switch_page(PAGE).run()
+    assert not app.exception
+    return app
+
+
+def charts(app):
+    """Return the figures on the page, as sent to the browser, by text alternative."""
+    return {chart.proto.alt: json.loads(chart.proto.spec) for chart in app.get("plotly_chart")}
+
+
+def record_finely(m, m_prime, k, radius, *start, finer=1):
+    """Return a record with `finer` times as many points."""
+    with mock.patch.object(cache, "POINTS", finer * (cache.POINTS - 1) + 1):
+        return cache.record.__wrapped__(Oscillator(m, m_prime, k, radius), *start)
+
+
+def figures(view, *setting, is_projector=False, **more):
+    """Return the figures of a view over time, as sent to the browser."""
+    drawn = cache.draw_over_time(view, record_finely(*setting, **more), COLORS, is_projector=is_projector)
+    return [json.loads(figure.to_json()) for figure in drawn.values()]
+
+
+def planes(*setting, **more):
+    """Return the phase planes relative to the ground and to the block, as sent to the browser."""
+    motion = record_finely(*setting, **more)
+    return [json.loads(cache.draw_orbits(frame, motion, COLORS).to_json()) for frame in cache.FRAMES]
+
+
+@pytest.mark.parametrize(("mu", "compression"), [(0.03, 8.0), (1.5, 12.0), (0.01, 0.5)])
+def test_the_verdict_names_the_contact_and_the_compression(app, mu, compression):
+    open_page(app, mu=mu, compression=compression, figure="forces")
+    machine, spacing = Oscillator(1.0, 1.0, 10.0, 0.1), cache.drawn_spacing(0.1)
+    needed = required_friction(machine, compression / 100, spacing=spacing)
+    largest = largest_compression(machine, mu, spacing=spacing)
+    slips = max(needed.values()) > mu
+    (sentence,) = (
+        text for text in app.markdown if "no longer holds" in text.value or "Every contact rolls" in text.value
+    )
+    assert ("no longer holds" in sentence.value) == slips
+    # The sentences are "up to" and "slips from": each rounds x₀ so that it remains true.
+    bound = at_most(100 * largest, 3) if slips else at_least(100 * largest, 3)
+    assert f"{bound}\u202fcm" in sentence.value
+    assert cache.CONTACTS[first_to_slip(machine, largest, spacing)] in sentence.value
+    # The text at the bars, "Largest compression without slip", is a lower bound in both cases.
+    assert any(f"slip: **{at_least(100 * largest, 3)}\u202fcm**" in text.value for text in app.markdown)
+
+
+def test_the_stage_marks_the_slipping_contact_only_beyond_the_model(monkeypatch, app):
+    from ramanujan.browser import stage
+
+    payload_options = []
+    monkeypatch.setattr(
+        stage,
+        "payload",
+        lambda *args, original=stage.payload, **more: payload_options.append(more) or original(*args, **more),
+    )
+    open_page(app, mu=0.03, glide=4.0, spin=1.0)
+    assert payload_options[-1]["slipping"] == "hoop_slab"
+    assert (payload_options[-1]["initial"].X_dot, payload_options[-1]["initial"].Phi_dot) == (-0.04, 1.0)
+    for glide in (4.0, 0.0):
+        app.slider(key="glide").set_value(glide).run()
+        (alternative,) = (alt for alt in charts(app) if alt.startswith("Displacements"))
+        # A spin moves only the top cylinder.
+        assert ("The whole machine glides" in alternative) == (glide > 0)
+        assert "The top cylinder drifts" in alternative
+    app.slider(key="mu").set_value(1.0).run()
+    assert payload_options[-1]["slipping"] is None
+
+
+def test_the_bars_show_the_required_friction(app):
+    open_page(app, m_prime=3.0, mu=0.05, figure="forces")
+    (bars,) = (figure for alt, figure in charts(app).items() if "that each contact needs" in alt)
+    machine = Oscillator(1.0, 3.0, 10.0, 0.1)
+    needed = required_friction(machine, 0.08, spacing=cache.drawn_spacing(0.1))
+    assert array(bars["data"][0]["x"]) == pytest.approx(list(needed.values()), rel=1e-12)
+    slipping = ["slips" in text for text in bars["data"][0]["text"]]
+    assert slipping == [value > 0.05 for value in needed.values()]
+
+
+CORNERS = [
+    (0.5, 0.05, 200.0, 0.05, 0.12, -0.2, 3.0),
+    (5.0, 10.0, 1.0, 0.2, 0.005, 0.2, -3.0),
+    (0.5, 10.0, 200.0, 0.2, 0.12, 0.0, 0.0),
+    (1.0, 1.0, 10.0, 0.1, 0.08, 0.05, 0.6),
+]
+
+
+@pytest.mark.parametrize("setting", CORNERS)
+@pytest.mark.parametrize("view", VIEWS)
+def test_every_curve_over_time_is_drawn_to_half_a_pixel_on_a_full_screen(view, setting):
+    (figure,), (exact,) = (figures(view, *setting, finer=times) for times in (1, 16))
+    heights = {}
+    for name in (name for name in figure["layout"] if name.startswith("yaxis")):
+        axis = figure["layout"][name]
+        share = axis["domain"][1] - axis["domain"][0]
+        heights[name.replace("axis", "")] = 1080 * share / np.ptp(axis["range"])
+    stacks = defaultdict(float)
+    for drawn, fine in zip(figure["data"], exact["data"], strict=True):
+        values, truth = array(drawn["y"]), array(fine["y"])
+        if drawn.get("stackgroup"):
+            stacks["drawn"], stacks["fine"] = stacks["drawn"] + values, stacks["fine"] + truth
+            values, truth = stacks["drawn"], stacks["fine"]
+        at = np.linspace(0, len(values) - 1, len(truth))
+        gap = np.abs(np.interp(at, np.arange(len(values)), values) - truth) * heights[drawn["yaxis"]]
+        # Single precision adds less than a thousandth of a pixel.
+        assert gap.max() < 0.501, drawn["name"]
+
+
+@pytest.mark.parametrize("setting", CORNERS)
+def test_every_orbit_is_drawn_to_half_a_pixel_on_a_full_screen(setting):
+    orbits, exact = (planes(*setting, finer=times) for times in (1, 16))
+    curves = [(curve, figure["layout"]) for figure in orbits for curve in figure["data"]]
+    for (drawn, layout), fine in zip(curves, [curve for figure in exact for curve in figure["data"]], strict=True):
+        gaps = []
+        for letter, pixels in (("x", 1920), ("y", 1080)):
+            values, truth = array(drawn[letter]), array(fine[letter])
+            at = np.linspace(0, len(values) - 1, len(truth))
+            scale = pixels / np.ptp(layout[f"{letter}axis"]["range"])
+            gaps.append((np.interp(at, np.arange(len(values)), values) - truth) * scale)
+        assert np.hypot(*gaps).max() < 0.501, drawn["name"]
+
+
+@pytest.mark.parametrize("setting", CORNERS)
+def test_the_stack_of_energies_ends_at_the_flat_total(setting):
+    (figure,) = figures("energy", *setting)
+    *parts, total = (array(trace["y"]) for trace in figure["data"])
+    # Single precision: nine terms of 6e-8 each.
+    assert sum(parts) == pytest.approx(total, rel=1e-6)
+    assert np.ptp(total) <= 1e-6 * total[0]
+
+
+def test_the_name_of_an_energy_is_in_its_area():
+    (figure,) = figures("energy", *CORNERS[3])
+    *parts, _total = figure["data"]
+    edges = np.cumsum([array(trace["y"]) for trace in parts], axis=0)
+    names = [note for note in figure["layout"]["annotations"] if note["yref"] == "y"]
+    assert {note["text"] for note in names} >= {"slab", "block", "spring"}
+    for note in names:
+        moment = round(note["x"] / parts[0]["dx"])
+        lowest_above = int(np.searchsorted(edges[:, moment], note["y"]))
+        assert parts[lowest_above]["name"] == note["text"]
+
+
+def test_all_figures_over_time_share_one_axis_and_one_hover():
+    for view in VIEWS:
+        (figure,) = figures(view, *CORNERS[3])
+        layout = figure["layout"]
+        assert [name for name in layout if name.startswith("xaxis")] == ["xaxis"]
+        assert layout["hovermode"] == "x unified"
+        assert layout["meta"]["cursor"] == "time"
+        ends = {round(trace["dx"] * (len(array(trace["y"])) - 1), 9) for trace in figure["data"]}
+        assert ends == {round(layout["meta"]["period"] * cache.PERIODS, 9)}
+
+
+def test_orbits_close_without_an_initial_velocity():
+    closed = {}
+    for push in (0.0, 0.1):
+        drawn = planes(1.0, 1.0, 10.0, 0.1, 0.08, push, 10 * push)
+        for frame, plane in zip(cache.FRAMES, drawn, strict=True):
+            ends = {orbit["name"]: array(orbit["x"])[[0, -1]] for orbit in plane["data"]}
+            closed[frame, push] = {name for name, (first, last) in ends.items() if abs(first - last) < 1e-5}
+    assert closed["ground", 0.0] == {"slab", "block", "top cylinder"}
+    assert closed["block", 0.0] == {"slab", "top cylinder"}
+    assert closed["ground", 0.1] == set()
+    assert closed["block", 0.1] == {"slab"}
+
+
+def test_an_initial_velocity_of_the_machine_changes_nothing_relative_to_the_block():
+    machine = 1.0, 1.0, 10.0, 0.1, 0.08
+    (at_rest, still), (_, gliding) = (planes(*machine, glide, 0) for glide in (0, 0.2))
+    (over_time,) = figures("displacements", *machine, 0, 0)
+    for before, after in zip(still["data"], gliding["data"], strict=True):
+        assert array(after["x"]) == pytest.approx(array(before["x"]), abs=1e-5)
+        assert array(after["y"]) == pytest.approx(array(before["y"]), abs=1e-5)
+    assert gliding["layout"] == still["layout"]
+    # At rest both frames have the same axes.
+    assert at_rest["layout"]["xaxis"] == still["layout"]["xaxis"]
+    assert at_rest["layout"]["yaxis"] == still["layout"]["yaxis"]
+    assert over_time["layout"]["yaxis"]["range"] == over_time["layout"]["yaxis2"]["range"] == [-10, 10]
+
+
+def test_the_axes_have_few_ranges():
+    ranges = {
+        tuple(figures("displacements", 1, 1, 10, 0.1, 0.08, 0.002 * step, 0)[0]["layout"]["yaxis"]["range"])
+        for step in range(101)
+    }
+    assert ranges == {(-end, end) for end in (10, 20, 30, 50, 100)}
+
+
+@pytest.mark.parametrize("setting", CORNERS)
+@pytest.mark.parametrize(("view", "count"), [("displacements", 2), ("energy", 1), ("momentum", 1), ("forces", 2)])
+def test_a_slide_has_one_graph_and_the_name_of_a_line_touches_the_line(view, count, setting):
+    slides = figures(view, *setting, is_projector=True)
+    assert len(slides) == count
+    for slide in slides:
+        curves = {trace["name"]: trace for trace in slide["data"] if not trace.get("stackgroup")}
+        named = []
+        for note in slide["layout"]["annotations"]:
+            labels = re.findall('">(.*?)</span>', note["text"])
+            for label in labels:
+                values = array(curves[label]["y"])
+                value = np.interp(note["x"], curves[label]["dx"] * np.arange(len(values)), values)
+                assert note["y"] == pytest.approx(value, abs=0.003 * np.ptp(slide["layout"]["yaxis"]["range"]))
+            named += labels
+        assert sorted(named) == sorted(curves)
+        assert not any(trace["showlegend"] for trace in curves.values())
+
+
+def test_the_hover_text_names_body_displacement_and_frame():
+    """Plotly appends the name of a curve, with a space before the colon, unless the template replaces it."""
+    (figure,) = figures("displacements", *CORNERS[3])
+    texts = [trace["hovertemplate"] for trace in figure["data"]]
+    assert all(text.endswith("<extra></extra>") for text in texts)
+    assert all(re.search(r"(^|>)[a-z ]+: %\{y", text) for text in texts)
+    titles = [text.partition("</b>")[0].removeprefix("<b>") for text in texts if text.startswith("<b>")]
+    assert titles == ["relative to the ground", "relative to the block"]

@@ -1,0 +1,42 @@
+"""Page 5 in a browser: a computed machine over the exact one, the measured diagram, the layout."""
+
+import re
+
+import pytest
+from playwright.sync_api import expect
+
+from ramanujan.accuracy.runs import error_history
+from tests.checks.layout import CUT
+
+
+def test_a_run_is_drawn_no_control_is_cut_and_the_diagram_is_measured(visit):
+    """In a window of 900 pixels, the page beside the sidebar has 560 pixels."""
+    page = visit("speed?steps=8", width=900, figures=False)
+    run, label = page.locator(".st-key-run button"), page.locator(".st-key-stage_race .label")
+    result = page.locator(".st-key-race_result p").first
+    run.click()
+    expect(label).to_contain_text("Period 30 of 30: 241 evaluations", timeout=60_000)
+    expect(result).to_be_visible(timeout=60_000)
+    # The slab is at x₀ + (cos Ωt − 1)(8 + 6ε)/(7 + 6ε) x₀/2; the outline has q instead of cos Ωt.
+    x = "(node) => node.transform.baseVal[0].matrix.e"
+    exact, computed = (
+        page.locator(f".st-key-stage_race {each} .slab").evaluate(x) for each in (".moving", ".computed")
+    )
+    q = error_history("velocity_verlet", 8, 30).q[-1]
+    assert (exact, computed) == (pytest.approx(8), pytest.approx(8 + (q - 1) * 14 / 13 * 4, abs=1e-3))
+    # Without reduced motion, the run is shown before its verdict.
+    page.emulate_media(reduced_motion="no-preference")
+    run.click()
+    expect(label).to_contain_text(re.compile("Period [1-9]"), timeout=60_000)
+    expect(result).to_be_hidden()
+    page.emulate_media(reduced_motion="reduce")
+    expect(result).to_be_visible()
+    page.get_by_role("tab", name="Limits").click()
+    page.get_by_text("A general eigen-solver").click()
+    page.get_by_text("Negative or complex", exact=True).wait_for(timeout=60_000)
+    assert page.evaluate(CUT) == []
+    page.get_by_role("tab", name="Price").click()
+    page.get_by_text("For an error of at most 0.01 of a turn").wait_for(timeout=60_000)
+    expect(page.get_by_text("Measuring 30 periods")).to_have_count(0)
+    assert "topic=price" in page.url
+    assert page.evaluate(CUT) == []

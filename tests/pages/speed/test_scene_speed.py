@@ -1,0 +1,347 @@
+"""Page 5: its texts agree with the measurements, and its work is divided into interruptible parts."""
+
+import functools
+import json
+import math
+import re
+import time
+from concurrent.futures import ThreadPoolExecutor
+from functools import partial
+
+import numpy as np
+import plotly.graph_objects as go
+import pytest
+import streamlit as st
+from streamlit.testing.v1 import AppTest
+
+from ramanujan import Oscillator, lesson
+from ramanujan.accuracy import work_precision
+from ramanujan.accuracy.extremes import FORMS, sweep_forms
+from ramanujan.accuracy.phase import phase_errors
+from ramanujan.accuracy.runs import error_history
+from ramanujan.accuracy.work_precision import WorkPrecision, find_cheapest_runs
+from ramanujan.figures import speed_page as figures
+from ramanujan.pages.speed import cache, costs, downsampling, verdicts
+from ramanujan.physics.integrators import METHODS
+from ramanujan.shell import theme
+from ramanujan.shell.widgets import escape
+from ramanujan.text.numerals import duration, number, power_of_ten
+from tests.checks.reference import frequency_squared
+from tests.settings import PATIENCE
+
+PAGE = "ramanujan/pages/speed/page.py"
+
+
+def page(app: AppTest, **link: str) -> AppTest:
+    """Open page 5 by a link."""
+    app.run()
+    for key, value in link.items():
+        app.query_params[key] = value
+    return app.switch_page(PAGE).run()
+
+
+def words(app: AppTest) -> str:
+    """Return all words of the page."""
+    assert not app.exception
+    return " ".join(element.value for kind in (app.markdown, app.caption, app.header) for element in kind)
+
+
+def one_run(method: str, steps: int, periods: int, dtype: str = "float64") -> downsampling.SampledRun:
+    return downsampling.downsample(error_history(method, steps, periods, dtype), steps, periods)
+
+
+# ---- the page
+
+
+def test_the_page_opens_without_measuring_the_diagram_and_ignores_the_parameters_of_old_links(app, monkeypatch):
+    monkeypatch.setattr(cache, "diagram_curve", None)
+    page(app, periods="300", compare="all", precision="float32", method="rk4")
+    assert "every error can be seen" in words(app)
+    assert not app.warning
+    assert dict(app.query_params) == {"method": "rk4"}
+
+
+def test_every_slide_has_a_heading_of_its_own(app, monkeypatch):
+    monkeypatch.setattr(costs, "measure", lambda: None)
+    monkeypatch.setattr(costs, "draw_diagram", lambda by, tolerance: "")
+    page(app, view="projector")
+    slides = [each.proto.body for each in app.get("html") if "data-slide" in each.proto.body]
+    headings = [heading.value for heading in app.header]
+    assert len(slides) == 8
+    assert [f'<i data-slide="{heading}"></i>' for heading in headings] == slides
+
+
+@pytest.mark.parametrize(("method", "steps"), [("explicit_euler", "3"), ("velocity_verlet", "3"), ("yoshida6", "192")])
+def test_the_ends_of_every_option_are_shown(app, method, steps):
+    page(app, method=method, steps=steps, error="energy")
+    assert f"**{METHODS[method].title}, {steps} steps per period, float64:**" in words(app)
+    # hΩ = 2π/3 is above Verlet's limit of 2.
+    assert ("**unstable here**" in words(app)) == (method == "velocity_verlet")
+    if method == "explicit_euler":
+        # Each of 90 steps multiplies q² + v² by 1 + (hΩ)².
+        assert f"energy grew to **{number((1 + (2 * math.pi / 3) ** 2) ** 90)} times** the true value" in words(app)
+
+
+def test_phase_error_is_that_of_the_midpoint_rule(app):
+    page(app, method="implicit_midpoint", steps="16")
+    # One step turns by exactly 2·atan(hΩ/2).
+    z = 2 * math.pi / 16
+    late = abs(480 * (2 * math.atan(z / 2) - z))
+    assert f"of a full turn behind** ({number(late)}\u202frad)" in words(app)
+
+
+def test_measurements_are_shared_and_repeated_on_request(app):
+    page(app, topic="price")
+    curves = cache.diagram()
+    assert len(curves) == 2 * len(METHODS)
+    best = find_cheapest_runs(curves, 1e-2)[0]
+    text = words(app)
+    assert f"**{METHODS[best.method].title}** in {best.dtype} with **{best.steps_per_period} steps" in text
+    assert duration(best.seconds) in text
+
+    # A lower tolerance costs more, and the sentence is updated.
+    app.select_slider(key="tolerance").set_value("1e-6").run()
+    finer = find_cheapest_runs(curves, 1e-6)[0]
+    assert finer.evaluations > best.evaluations
+    assert f"with **{finer.steps_per_period} steps" in words(app)
+
+    # Another visitor or another machine causes no new measurement.
+    other = AppTest.from_file(str(app._script_path), default_timeout=PATIENCE)
+    page(other, topic="price").slider(key="k").set_value(172.5).run()
+    assert duration(best.seconds) in words(other)
+
+    # The button measures the seconds again.
+    app.button(key="measure").click().run()
+    again = cache.diagram()
+    assert [c.step_seconds for c in again] != [c.step_seconds for c in curves]
+    assert [c.error is old.error for c, old in zip(again, curves, strict=True)] == [True] * len(curves)
+
+
+def test_an_interrupted_measurement_shows_its_progress_and_continues(app, monkeypatch):
+    parts = cache.parts_of_diagram()
+    computed = []
+
+    def interrupt():
+        # Streamlit stops the script in this way when the visitor changes a setting.
+        if len(computed) < 2:
+            st.stop()
+
+    monkeypatch.setattr(cache, "parts_of_diagram", lambda: [partial(computed.append, 1), interrupt, *parts])
+    page(app, topic="price")
+    [bar] = app.get("progress")
+    assert (bar.proto.value, bar.proto.text) == (100 // (2 + len(parts)), "Measuring 30 periods on this server …")
+    # The rest of the page is already complete.
+    assert "What exactness costs" in [expander.label for expander in app.expander]
+    app.select_slider(key="tolerance").set_value("1e-6").run()
+    assert not app.get("progress")
+    assert "For an error of at most 10⁻⁶ of a turn" in words(app)
+
+
+def test_the_result_of_the_papers_form_at_the_edge_is_stated(app):
+    page(app, topic="limits", sweep="scale_float64")
+    s = 1e-200
+    wrong = 8 * s / (7 * s + 8 * s - 8 * (s + s) ** 2 / (7 * s / 3 + 2 * s))
+    right = frequency_squared(1, 1, 1)
+    assert abs(wrong - right) > 0.1  # negative control: a wrong but plausible value
+    assert f"the paper’s form | s from {number(1e-300)} to " in words(app)
+    assert f"| {number(wrong, 4)}: wrong" in words(app)
+    assert "effective mass | nowhere" in words(app)
+
+
+# ---- the motion on the stage
+
+
+@pytest.mark.parametrize("method", METHODS)
+@pytest.mark.parametrize("steps", [3, 12, 192])
+def test_the_stage_plays_a_run_in_few_bytes_with_its_cost(method, steps):
+    history, run = error_history(method, steps, 30), one_run(method, steps, 30)
+    played = downsampling.stage_payload(run)
+    q, every = np.array(played["q"]), steps // played["per_period"]
+    inside = abs(history.q[::every]) < downsampling.ROOM
+    np.testing.assert_allclose(q[inside], history.q[::every][inside], atol=6e-5)
+    assert abs(q).max() <= downsampling.ROOM
+    assert played["log"][0][0] == "0"
+    assert played["log"][-1] == [number(history.evaluations, 6), number(np.abs(history.phase_error).max() / math.tau)]
+    assert len(played["log"]) == 31
+    assert len(json.dumps(played)) < 10_000
+
+
+def test_the_challenge_judges_as_the_lesson_does_and_the_diagram_marks_each_attempt(app):
+    page(app)
+    app.selectbox(key="method").set_value("rk4").run()
+    for steps, done in ((13, False), (14, True)):
+        app.number_input(key="steps").set_value(steps).run()
+        app.button(key="run").click().run()
+        verdict = lesson.find_task("cheapest").judge(lesson.Attempt(method="rk4", steps=steps))
+        assert verdict.is_done == done
+        [text] = [text.value for text in app.markdown if escape(verdict.sentence) in text.value]
+        assert ("Done." in text, "Not yet." in text) == (done, not done)
+    assert app.query_params["tries"] == "rk4.13,rk4.14"
+    app.session_state["topic"] = "price"
+    app.run()
+    figure = json.loads(next(chart.proto.spec for chart in app.get("plotly_chart") if "your run" in chart.proto.spec))
+    marks = {trace["x"][0]: trace for trace in figure["data"] if len(trace["x"]) == 1}
+    for steps in (13, 14):
+        error = error_history("rk4", steps, 30).phase_error[-1] / -math.tau
+        assert marks[30 * steps * 4]["y"] == [pytest.approx(error)]
+    assert marks[30 * 14 * 4]["name"] == "your run"
+
+
+# ---- simultaneous visitors
+
+
+def test_simultaneous_requests_share_one_computation_and_measurements_take_turns(monkeypatch):
+    worked, under_way = [], []
+
+    def work(*curve):
+        worked.append(curve)
+        time.sleep(0.02)
+        return WorkPrecision(*curve, 30, *[np.ones(1)] * 3)
+
+    def measure(*curve):
+        under_way.append(curve)
+        time.sleep(0.01)
+        assert under_way == [curve]
+        return under_way.pop() and 1.0
+
+    work_precision._diagram_curve.cache_clear()
+    monkeypatch.setattr(work_precision, "work_precision", work)
+    monkeypatch.setattr(cache, "_measure_step", functools.cache(measure))
+    with ThreadPoolExecutor(5) as visitors:
+        diagrams = list(visitors.map(lambda _visitor: cache.diagram(), range(5)))
+    assert len(worked) == len(set(worked)) == 2 * len(METHODS)
+    assert all(curve.step_seconds == 1.0 for diagram in diagrams for curve in diagram)
+    work_precision._diagram_curve.cache_clear()
+
+
+# ---- figures
+
+
+def test_a_strip_shows_where_its_form_is_right_and_its_other_results(app):
+    app.run()
+    sweeps = [s for s in sweep_forms() if (s.sweep_name, s.dtype) == ("scale", "float64")]
+    strips = {FORMS[sweep.form].title: verdicts.strip(sweep) for sweep in sweeps}
+    for sweep, parts in zip(sweeps, strips.values(), strict=True):
+        # A strip covers the whole range without a gap, and agrees with the sweep at every sample.
+        assert (parts[0].start, parts[-1].end) == pytest.approx((-300, 300))
+        assert [part.start for part in parts[1:]] == [part.end for part in parts[:-1]]
+        for x, verdict in zip(sweep.x, sweep.verdict, strict=True):
+            [part] = [each for each in parts if each.start - 0.01 <= math.log10(x) < each.end - 0.01][:1] or parts[-1:]
+            assert part.is_right == (verdict == "right")
+    words = [part.label for part in strips["the paper’s form"]]
+    assert words[-1] == "0: wrong"
+    figure = go.Figure(figures.draw_forms(strips, quantity="s", colors=theme.colors()).to_dict())
+    assert set(words) < set(figure.data[0].customdata)
+    assert [note.text for note in figure.layout.annotations] == list(strips)
+
+
+def test_a_number_under_the_pointer_is_written_as_in_a_sentence():
+    """Plotly would write 3.2e-7, with a hyphen, in every language."""
+    colors, x, errors = theme.colors(), np.array([1.0, 1e7]), np.array([3.2e-7, 0.0125])
+    more = {"titles": ("cost", "error"), "limits": (1e-8, 1.0), "tolerance": 1e-3, "tried": [(1e7, 3.2e-7)]}
+    marked_runs = {"cheapest": figures.MarkedRun(cost=1.0, error=3.2e-7, symbol="star", size=15, color="ink")}
+    drawings = (
+        figures.draw_error_growth(
+            {"a": (x, errors)}, "a", title="error", limits=(1e-8, 1.0), allowed=1e-2, colors=colors
+        ),
+        figures.draw_work_precision(
+            {("a", "float64"): (x, errors, x)}, chosen="a", marked_runs=marked_runs, colors=colors, **more
+        ),
+        figures.draw_phase_errors(x, dict.fromkeys("abc", errors), colors),
+    )
+    shown = [
+        trace for drawing in drawings for trace in go.Figure(drawing.to_dict()).data if trace.customdata is not None
+    ]
+    assert len(shown) == 7
+    for trace in shown:
+        assert ":" not in re.sub(r"%\{text\}|periods: ", "", trace.hovertemplate)
+        texts = {str(text) for text in np.ravel(trace.customdata)}
+        assert "3.2×10⁻⁷" in texts
+        assert texts <= {"1", "10⁷", "3.2×10⁻⁷", "0.0125"}
+
+
+def test_the_growth_of_errors_has_fixed_axes_and_names_all_methods_the_chosen_one_strongly(app):
+    page(app)
+    axes = []
+    for method, steps in (("rk4", 12), ("explicit_euler", 3), ("yoshida6", 192)):
+        app.selectbox(key="method").set_value(method)
+        app.number_input(key="steps").set_value(steps).run()
+        [chart] = app.get("plotly_chart")
+        drawn = json.loads(chart.proto.spec)
+        axes.append([drawn["layout"][axis]["range"] for axis in ("xaxis", "yaxis")])
+        lines = {trace["name"]: trace["line"] for trace in drawn["data"] if "name" in trace}
+        title = METHODS[method].title
+        assert {each.title for each in METHODS.values()} < set(lines)
+        grays = {lines[each.title]["color"] for each in METHODS.values() if each.title != title}
+        assert len(grays) == 1
+        assert lines[title]["color"] not in grays
+        labels = [text.replace("<br>", " ") for text in drawn["layout"]["yaxis2"]["ticktext"]]
+        for each in METHODS.values():
+            [label] = [label for label in labels if each.title in label]
+            assert ("<b" in label) == (each.title == title)
+            # A line that ends outside of the figure has an arrow.
+            if each.title == title:
+                arrow = {"rk4": "", "explicit_euler": " ↑", "yoshida6": " ↓"}[method]
+                assert f"{title}{arrow}</b>" in label
+    assert axes[0] == axes[1] == axes[2]
+
+
+def test_the_names_at_the_ends_of_lines_never_overlap():
+    """Three lines end at the same point, and one at the lower edge."""
+    cost, colors = np.array([1.0, 10.0]), theme.colors()
+    ends = {"explicit Euler": 1e-3, "symplectic Euler": 1e-3, "implizite Mittelpunktsregel": 1e-3, "Yoshida 6": 1e-8}
+    curves = {(name, "float64"): (cost, np.array([0.5, end]), cost) for name, end in ends.items()}
+    figure = figures.draw_work_precision(
+        curves,
+        chosen="Yoshida 6",
+        titles=("cost", "error"),
+        limits=(1e-8, 1.0),
+        tolerance=1e-3,
+        marked_runs={},
+        colors=colors,
+    )
+    axis = go.Figure(figure.to_dict()).layout.yaxis2
+    assert len(axis.tickvals) == len(ends) + 1
+    heights = np.log10(axis.tickvals)
+    lines = np.array([1 + text.count("<br>") for text in axis.ticktext])
+    room = 0.09 * 8 * (lines[:-1] + lines[1:]) / 2
+    assert (-np.diff(heights) >= room).all()
+    assert -8 <= heights.min() < heights.max() <= 0
+    assert [colors["primary"] in text for text in axis.ticktext] == [False] * 4 + [True]
+
+
+@pytest.fixture(autouse=True)
+def fresh():
+    """Clear the measured times before and after each test."""
+    cache.forget_seconds()
+    yield
+    cache.forget_seconds()
+
+
+def test_the_stated_loss_of_phase_in_float32_is_true():
+    """This machine loses the phase at 3·10⁶ periods. The test computes in float32 between the decades."""
+    machine = Oscillator(k=10.0)
+    omega, periods = machine.natural_frequency, 10.0 ** np.linspace(0, 9, 2001)
+    times = machine.period * periods
+    single = (np.float32(omega) * times.astype(np.float32)).astype(float)
+    lost = periods[np.argmax(np.abs(np.angle(np.exp(1j * (single - omega * times)))) > 1)]
+    before, after = math.floor(math.log10(lost)), math.ceil(math.log10(lost))
+    sentence = verdicts.describe_phases(phase_errors(machine))
+    assert f"between {power_of_ten(before)} and {power_of_ten(after)} periods" in sentence
+
+
+def test_the_cost_of_exact_arithmetic_is_listed(app):
+    app.session_state["fold_arithmetics"] = True
+    text = words(page(app, topic="price"))
+    [own, *others] = re.findall(r"\| (.+) \| ([\d.]+\u202f(?:ns|µs)) \| (.+) \|", text[text.index("Time for one Ω²") :])
+    assert [arithmetic for arithmetic, _time, _error in (own, *others)] == [
+        "float64, as in this app",
+        "float32",
+        "integers of any length, rounded once",
+        "fractions",
+        "50 digits",
+    ]
+    assert others[2][2] == "0"
+    times = float(re.search(r"would take ([\d.]+) times as long", text)[1])
+    prices = cache.arithmetics()
+    assert times == pytest.approx(prices["fractions"].seconds / prices["float64"].seconds, rel=0.05)
