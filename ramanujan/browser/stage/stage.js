@@ -261,8 +261,7 @@ class Stage {
     if (reason === "ended" && this.screenPeriod) return this.race(null);
     this.releaseAll();
     if (reason === "repeat") return;
-    this.voice.note(WORDS[reason]);
-    this.voice.announce(WORDS[reason], { once: true });
+    this.voice.say(WORDS[reason], { once: true });
   }
 
   release() {

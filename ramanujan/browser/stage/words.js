@@ -55,6 +55,11 @@ export function makeVoice(root, { compact, parts, signal }) {
       show(sentence);
       fade();
     },
+    /** Show and announce a sentence. */
+    say(sentence, options) {
+      this.note(sentence);
+      this.announce(sentence, options);
+    },
     /**
      * Show how many times as fast as in reality the machine moves, unless the reader has chosen this factor as `speed`.
      */
