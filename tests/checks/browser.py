@@ -104,7 +104,7 @@ def evidence(page: Page, name: str) -> str:
     folder = Path(tempfile.gettempdir()) / "ramanujan-failures"
     folder.mkdir(exist_ok=True)
     picture = folder / (re.sub(r"[^\w-]+", "_", name)[:100] + ".png")
-    page.screenshot(path=picture)
+    page.screenshot(path=picture, timeout=10_000)
     console = [f"console {message.type}: {message.text}" for message in page.console_messages()]
     log = log_file(page.url)
     lines = log.read_text(encoding="utf-8").splitlines()[-_LAST_LINES:] if log.exists() else []
