@@ -7,6 +7,7 @@ of a run share one server and its caches.
 """
 
 import contextlib
+import faulthandler
 import os
 from collections import Counter
 from collections.abc import Callable, Iterator
@@ -31,7 +32,7 @@ from tests.checks.browser import (
     wait_for_start,
 )
 from tests.checks.engines import bare, bare_address, browsers, engine, playwright, sample, window  # noqa: F401
-from tests.settings import PATIENCE, REQUIRED, skip_missing
+from tests.settings import DEEP, PATIENCE, REQUIRED, skip_missing
 
 # Store the tests' classes separately: the app on this computer stores at most 200.
 _CLASSES = TemporaryDirectory()
@@ -45,6 +46,12 @@ if REQUIRED:
 
 def pytest_configure(config: pytest.Config) -> None:
     config.addinivalue_line("markers", "browser: the test uses a browser (added by its fixtures)")
+
+
+def pytest_runtest_setup() -> None:
+    """Remove the limit of a test (faulthandler_timeout in .pytest.ini) from a thorough run, whose tests take longer."""
+    if DEEP:
+        faulthandler.cancel_dump_traceback_later()
 
 
 @pytest.hookimpl(tryfirst=True)

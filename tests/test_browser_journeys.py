@@ -4,6 +4,7 @@ They use the common features of both drivers: evaluation of JavaScript, a mouse,
 in the files of the pages.
 """
 
+import time
 from collections.abc import Callable
 from io import BytesIO
 
@@ -43,8 +44,9 @@ class Visitor:
 
     def click(self, selector: str, name: str = "") -> None:
         """Click on an element once it is still and uncovered."""
-        before = None
+        before, end = None, time.monotonic() + PATIENCE
         while (place := self.until(selector, name)) != before or not place["isSteady"]:
+            assert time.monotonic() < end, f"{selector} {name} is covered, or never still"
             before = place
             next_frame(self.page)
         self.page.mouse.click(place["x"], place["y"])

@@ -100,9 +100,11 @@ class _Handler(BaseHTTPRequestHandler):
 
 
 @contextmanager
-def serving() -> Iterator[str]:
-    """Serve the bare page during the block; yield its address."""
-    with ThreadingHTTPServer(("127.0.0.1", 0), _Handler) as server:
+def serving(handler: Callable[..., BaseHTTPRequestHandler] = _Handler) -> Iterator[int]:
+    """Serve the bare page during the block, or what another handler answers. Yield the port."""
+    with ThreadingHTTPServer(("127.0.0.1", 0), handler) as server:
         threading.Thread(target=server.serve_forever, daemon=True).start()
-        yield f"http://127.0.0.1:{server.server_port}"
-        server.shutdown()
+        try:
+            yield server.server_port
+        finally:
+            server.shutdown()

@@ -69,9 +69,18 @@ class running:  # noqa: N801 (reads as a sentence: with running(app) as address)
             raise
 
     def __exit__(self, *_: object) -> None:
-        self.process.terminate()
-        self.process.wait()
+        stop(self.process)
         log_file(self.address).unlink(missing_ok=True)
+
+
+def stop(process: subprocess.Popen) -> None:
+    """End a process. Kill it if it does not end in time: a server may wait for its connections."""
+    process.terminate()
+    try:
+        process.wait(PATIENCE / 4)
+    except subprocess.TimeoutExpired:
+        process.kill()
+        process.wait()
 
 
 def log_file(address: str) -> Path:

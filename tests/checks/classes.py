@@ -22,6 +22,7 @@ from ramanujan.classroom.rules import (
     Seat,
     Vote,
 )
+from tests.settings import PATIENCE
 
 OPTIONS = ["machine", "plain", "neither"]
 NEW_PROCESS = multiprocessing.get_context("forkserver")
@@ -71,8 +72,9 @@ def answer_as(
 
 def collect_confirmed(processes: list, votes: multiprocessing.Queue) -> dict[str, str]:
     """Wait until all processes have succeeded. Return the last confirmed answer of each voter."""
-    last_answers = {}
+    last_answers, end = {}, time.monotonic() + PATIENCE
     while any(process.is_alive() for process in processes) or not votes.empty():
+        assert time.monotonic() < end, "a process does not end"
         while not votes.empty():
             voter, option = votes.get()
             last_answers[voter] = option

@@ -17,7 +17,7 @@ from configparser import ConfigParser
 
 import trustme
 
-from tests.checks.browser import ROOT
+from tests.checks.browser import ROOT, stop
 
 RECIPE = ROOT / ".deploy"
 HAPROXY = shutil.which("haproxy") or shutil.which("haproxy", path="/usr/sbin:/usr/local/sbin")
@@ -75,11 +75,9 @@ class deployed:  # noqa: N801 (reads as a sentence: with deployed(2) as hall)
         return self
 
     def __exit__(self, *_: object) -> None:
-        running = [*self.processes.values(), *([self.proxy] if hasattr(self, "proxy") else [])]
-        for process in running:
-            process.terminate()
-        for process in running:
-            process.wait()
+        # The proxy first, because it holds connections to the others.
+        for process in [*([self.proxy] if hasattr(self, "proxy") else []), *self.processes.values()]:
+            stop(process)
         self.state.cleanup()
 
     def wait(self, names: set[str], seconds: float = 90) -> None:

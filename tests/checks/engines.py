@@ -110,8 +110,8 @@ def window(request: pytest.FixtureRequest, engine: str, browsers: Callable) -> I
 @pytest.fixture(scope="session")
 def bare_address() -> Iterator[str]:
     """The address of the bare page."""
-    with serving() as address:
-        yield address
+    with serving() as port:
+        yield f"http://127.0.0.1:{port}"
 
 
 @pytest.fixture

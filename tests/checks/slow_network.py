@@ -14,6 +14,8 @@ import threading
 from typing import Self
 from urllib.parse import urlsplit
 
+from tests.settings import PATIENCE
+
 _HEAD = 65536
 """Largest size of a request's header [bytes]."""
 _SESSION = re.compile(rb"(?i)(sec-websocket-protocol:[^,\r]*,[^,\r]*),[^\r]*")
@@ -46,7 +48,7 @@ class Network:
     def __exit__(self, *_: object) -> None:
         self._call(self._close())
         self._loop.call_soon_threadsafe(self._loop.stop)
-        self._thread.join()
+        self._thread.join(PATIENCE)
         self._loop.close()
 
     def down(self) -> None:

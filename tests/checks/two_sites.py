@@ -15,6 +15,8 @@ from urllib.parse import urlsplit
 
 import trustme
 
+from tests.settings import PATIENCE
+
 _PIECE = 65536
 """Largest number of bytes forwarded at once."""
 
@@ -39,7 +41,7 @@ class CoursePage:
 
     def __exit__(self, *_: object) -> None:
         self._loop.call_soon_threadsafe(self._end.set)
-        self._thread.join()
+        self._thread.join(PATIENCE)
 
     async def _run(self) -> None:
         """Listen until the end of the block. Then asyncio cancels the open connections."""

@@ -19,6 +19,7 @@ from selenium.webdriver.common.actions.action_builder import ActionBuilder
 from selenium.webdriver.common.actions.mouse_button import MouseButton
 from selenium.webdriver.common.actions.pointer_input import PointerInput
 
+from tests.checks.browser import stop
 from tests.settings import PATIENCE
 
 BROWSER = next(iter(glob("/usr/lib/*/webkit2gtk-4.*/MiniBrowser")), None)
@@ -59,8 +60,7 @@ class Page:
 
     def close(self) -> None:
         self.driver.quit()
-        self.screen.terminate()
-        self.screen.wait()
+        stop(self.screen)
 
     def forget(self) -> None:
         """Delete cookies and storage before the next test."""

@@ -58,7 +58,7 @@ class Server:
 
     def run(self, program: str, *more: str) -> None:
         command = [PROGRAMS / program, "--pgdata", self.folder, *more]
-        subprocess.run(command, check=True, capture_output=True, cwd="/", **USER)
+        subprocess.run(command, check=True, capture_output=True, cwd="/", timeout=PATIENCE, **USER)
 
     def start(self) -> None:
         options = f"-p {self.port} -h 127.0.0.1 -k {self.folder}"
@@ -93,12 +93,14 @@ def test_two_processes_share_a_class_and_a_killed_server_loses_no_vote(server: S
     school.ask(opened.key, "faster", OPTIONS)
     votes = NEW_PROCESS.Queue()
     others = [
-        NEW_PROCESS.Process(target=answer_as, args=(server.address, opened.code, range(start, start + 30), votes, True))
+        NEW_PROCESS.Process(
+            target=answer_as, args=(server.address, opened.code, range(start, start + 30), votes, True), daemon=True
+        )
         for start in (0, 30)
     ]
     for process in others:
         process.start()
-    acknowledged = dict([votes.get()])
+    acknowledged = dict([votes.get(timeout=PATIENCE)])
     server.kill()
     server.start()
     acknowledged |= collect_confirmed(others, votes)

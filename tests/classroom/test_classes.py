@@ -77,13 +77,13 @@ def answer_until_killed(path: Path, code: str, votes: multiprocessing.connection
 def test_two_hundred_students_lose_no_vote_when_a_process_is_killed(school, opened):
     path, votes = school._store.path, NEW_PROCESS.Queue()
     ours, theirs = NEW_PROCESS.Pipe()
-    victim = NEW_PROCESS.Process(target=answer_until_killed, args=(path, opened.code, theirs))
+    victim = NEW_PROCESS.Process(target=answer_until_killed, args=(path, opened.code, theirs), daemon=True)
     victim.start()
     theirs.close()
     before_death = ours.recv()  # raises an error if the process has died too early
     # The victim has locked the file, so the others wait.
     others = [
-        NEW_PROCESS.Process(target=answer_as, args=(path, opened.code, range(start, start + 50), votes))
+        NEW_PROCESS.Process(target=answer_as, args=(path, opened.code, range(start, start + 50), votes), daemon=True)
         for start in range(0, 200, 50)
     ]
     for process in others:

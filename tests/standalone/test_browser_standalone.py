@@ -3,11 +3,10 @@
 import gzip
 import random
 import re
-import threading
 from collections.abc import Iterator
 from contextlib import contextmanager
 from functools import partial
-from http.server import SimpleHTTPRequestHandler, ThreadingHTTPServer
+from http.server import SimpleHTTPRequestHandler
 from pathlib import Path
 
 import mpmath
@@ -19,6 +18,7 @@ from ramanujan import UNIT_MASS_RATIO
 from ramanujan.derivation.model import k, m, m_prime
 from ramanujan.shell.parameters import PARAMETERS
 from ramanujan.standalone import html
+from tests.checks.bare import serving
 from tests.checks.browser import next_frame
 from tests.checks.reference import natural_frequency_squared
 
@@ -256,19 +256,10 @@ def test_without_scripts_the_file_shows_still_pictures(browsers, file, engine):
 
 
 @contextmanager
-def serving(folder: Path) -> Iterator[int]:
-    """Serve a folder on a free port of all loopback names."""
-    handler = partial(SimpleHTTPRequestHandler, directory=folder)
-    with ThreadingHTTPServer(("127.0.0.1", 0), handler) as server:
-        threading.Thread(target=server.serve_forever, daemon=True).start()
-        yield server.server_port
-        server.shutdown()
-
-
-@contextmanager
 def framed_by_another_site(file: Path, folder: Path) -> Iterator[str]:
     """Serve the file, and on another site a page with the file in a sandboxed frame; yield the page's address."""
-    with serving(file.parent) as port, serving(folder) as other:
+    handlers = [partial(SimpleHTTPRequestHandler, directory=path) for path in (file.parent, folder)]
+    with serving(handlers[0]) as port, serving(handlers[1]) as other:
         source = f"http://localhost:{port}/{file.name}#k=20"
         frame = f'<iframe sandbox="allow-scripts" src="{source}" width="900" height="700"></iframe>'
         (folder / "course.html").write_text(f'<link rel="icon" href="data:,">{frame}')

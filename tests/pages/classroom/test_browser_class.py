@@ -7,6 +7,7 @@ wall at all sizes, or all stops if RAMANUJAN_DEEP is set.
 import csv
 import io
 import random
+import time
 from collections import Counter
 from collections.abc import Callable
 
@@ -19,7 +20,7 @@ from ramanujan import lesson
 from ramanujan.classroom.rules import Phase, Seat, shared
 from tests.checks.browser import next_frame, script, settle, traffic
 from tests.checks.class_pages import RERUN_ON_DEMAND, VOTES, rerun
-from tests.settings import DEEP
+from tests.settings import DEEP, PATIENCE
 
 WALL_FAULTS = script("wall")
 SIZES = ((1024, 768), (1920, 1080), (1280, 768), (3840, 2160))
@@ -63,7 +64,9 @@ def vote(phone: Page, number: int) -> None:
     sent = len(traffic(phone).sent)
     places = [option.bounding_box() for option in phone.locator(VOTES).all()]
     phone.locator(VOTES).nth(number).click()
+    end = time.monotonic() + PATIENCE
     while len(traffic(phone).sent) == sent or traffic(phone).is_unanswered:
+        assert time.monotonic() < end, "the phone sends no vote, or gets no answer"
         phone.wait_for_timeout(10)
     expect(phone.locator(VOTES).nth(number).locator("input")).to_be_checked()
     confirmation = phone.get_by_text("Your answer counts")
@@ -144,8 +147,10 @@ class Screens:
         moment = leader.evaluate(AT)
         assert not moment["playing"]
         expected = [pytest.approx(moment[name], abs=1e-4) for name in ("time", "periods")]
+        end = time.monotonic() + PATIENCE
         for page in (self.desk, *self.walls):
             while [page.evaluate(AT)[name] for name in ("time", "periods")] != expected:
+                assert time.monotonic() < end, "a wall or desk shows another moment"
                 rerun(page)
                 page.wait_for_timeout(100)
 

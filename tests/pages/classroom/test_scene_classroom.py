@@ -355,7 +355,7 @@ def test_the_server_deletes_expired_answers_again_and_again(tmp_path, monkeypatc
 
     # A thread has no event loop, where Playwright may have left one.
     with ThreadPoolExecutor(1) as thread:
-        thread.submit(asyncio.run, serve()).result(timeout=60)
+        thread.submit(asyncio.run, asyncio.wait_for(serve(), PATIENCE)).result()
 
 
 def test_without_a_database_the_lesson_works(tmp_path, monkeypatch):

@@ -1,6 +1,7 @@
 """The story of the first page: its sentences and the hands at every moment, against the numeric core."""
 
 import re
+import time
 from itertools import accumulate, pairwise
 
 import numpy as np
@@ -16,9 +17,10 @@ from ramanujan.pages.oscillator.story import SCREEN_PERIOD, START, STILL_PERIODS
 from ramanujan.shell import widgets
 from ramanujan.shell.parameters import PARAMETERS
 from tests.checks.bare import Bare
-from tests.checks.browser import STAGE, inside, next_frame, script, settle, thumb, traffic
+from tests.checks.browser import STAGE, inside, next_frame, script, settle, thumb, traffic, until
 from tests.checks.controls import write
 from tests.checks.engines import ANY_ENGINE
+from tests.settings import PATIENCE
 
 GOAL = 1.5 * UNIT_MASS_RATIO
 STORY = "document.querySelector('.st-key-story [data-testid=stBidiComponentIsolated]').shadowRoot"
@@ -92,7 +94,9 @@ def check_story(page) -> None:
     scenes, shown = make_story(), set()
     ends = [*accumulate(scene.periods for scene in scenes)]
     page.evaluate(f"{STORY}.querySelector('button').click()")
+    end = time.monotonic() + PATIENCE
     while (now := page.evaluate(f"() => (turn(8), ({NOW})())"))["sentence"] != IN_STEP:
+        assert time.monotonic() < end, "the story does not end"
         shown.add(now["sentence"])
         first, last = (min(int(np.searchsorted(ends, now["periods"] + by)), len(ends) - 1) for by in (-FRAME, FRAME))
         assert now["sentence"] in [scene.sentence for scene in scenes[first : last + 1]]
@@ -133,8 +137,7 @@ def test_the_story_is_true_at_every_moment_and_ends_in_step(started):
     check_story(page)
     # Any touch ends the story: the slider stays at its value and sends it.
     evaluate(f"{STORY}.querySelector('button').click()")
-    while evaluate(f"() => (turn(8), ({NOW})())")["ratio"] > 1.95:
-        pass
+    until(page, f"() => (turn(8), ({NOW})().ratio <= 1.95)")
     page.keyboard.press("Shift")
     page.wait_for_function("sent.length === 3")
     key, event, value = started.sent[-1]
