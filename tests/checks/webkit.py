@@ -56,6 +56,8 @@ class Page:
         options.add_argument("--automation")
         service = webdriver.WebKitGTKService(DRIVER, env=os.environ | environment)
         self.driver = webdriver.WebKitGTK(options, service)
+        # Selenium waits for an answer without a limit.
+        self.driver.command_executor.client_config.timeout = PATIENCE
         self.mouse, self.keyboard = Mouse(self.driver), Keyboard(self.driver)
 
     def close(self) -> None:
