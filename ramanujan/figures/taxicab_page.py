@@ -74,14 +74,15 @@ def draw_machine_grid(
     numbers : the discriminants, row by row
     ways : for each discriminant, the number of ways to write it as a sum of two positive cubes
     chosen : row and column of the marked machine
-    colors : ink, faint, paper, primary, hoop, on_hoop
+    colors : ink, faint, paper, primary, hoop, on_hoop, block_ink
     """
     # The cells row by row, as column and row. A cell's colour shows 0, 1, or at least 2 ways.
     cells = [(x, y) for y in range(len(rows)) for x in range(len(columns))]
     ways = np.minimum(ways, 2).tolist()
-    # A color scale with steps has each colour at both ends of its interval.
+    # A color scale with steps has each colour at both ends of its interval. Most cells are pale, so that the eye sees
+    # the few highlighted ones first.
     color_scale = []
-    for step, color in enumerate((colors["faint"], colors["hoop"], colors["primary"])):
+    for step, color in enumerate(("rgba(128,128,128,.1)", colors["hoop"], colors["primary"])):
         color_scale += [[step / 3, color], [(step + 1) / 3, color]]
     table = {
         "type": "heatmap",
@@ -92,7 +93,7 @@ def draw_machine_grid(
     # The numbers belong to marks, because a heatmap does not report clicks.
     # TRANSLATORS: {lower} is a pair such as hoop + cylinder, {top} is a body such as cylinder.
     hover = _("{lower} below, {top} on top<br>discriminant {number}")
-    inks = [colors["ink"], colors["on_hoop"], colors["paper"]]
+    inks = [colors["block_ink"], colors["on_hoop"], colors["paper"]]
     clickable = {
         "type": "scatter",
         "x": [x for x, _y in cells],

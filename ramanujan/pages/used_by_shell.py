@@ -13,7 +13,7 @@ ENTRIES = {
     "oscillator": Entry(draw_header=oscillator.draw_header),
     "derivation": Entry(derivation.URL_PARAMETERS, uses_sidebar=derivation.uses_sidebar),
     "motion": Entry(motion.URL_PARAMETERS),
-    "taxicab": Entry(taxicab.URL_PARAMETERS),
+    "taxicab": Entry(taxicab.URL_PARAMETERS, uses_sidebar=lambda: False),
     "speed": Entry(speed.URL_PARAMETERS),
     "lesson": Entry(
         lesson.URL_PARAMETERS,

@@ -23,7 +23,7 @@ READ = f"""[...{CUBES}.querySelectorAll("svg")].map((svg) => [...svg.querySelect
 @pytest.fixture
 def drawn(bare):
     drawn = bare()
-    drawn.put(lambda: cubes.mount(SUMS, ["twelve and one", "ten and nine"], ["first", "second"]))
+    drawn.put(lambda: cubes.mount(SUMS, ["twelve and one", "ten and nine"], ["first ", "second "], 1729))
     next_frame(drawn.page)  # the stacks are drawn once they are visible
     return drawn.page
 

@@ -35,31 +35,27 @@ def frequency_equation() -> str:
 
 
 @cache
-def unit_equations() -> str:
-    """Return, as LaTeX, the condition Ω² = k/m for the paper's machine, its quadratic equation, and the completed
-    square, with the operations between them.
+def unit_equations(ink: str, paper: str) -> str:
+    """Return, as LaTeX, the quadratic equation for Ω² = k/m of the paper's machine, and the completed square, with the
+    operations between them. The discriminant is written out, and its value has the colour `paper` on `ink`.
     """
     unit, root = (route("euler_lagrange")[key] for key in ("unit", "root"))
     *_completion, square, _second_sum, _root = root.equations
-    condition, multiply, complete = unit.operations[0], root.operations[1], margin_text(_("complete the square"))
+    multiply, complete = root.operations[1], margin_text(_("complete the square"))
     # The operation begins left of the equals signs, so that it also fits into a narrow column.
     completion = rf"&\kern-5em\small\downarrow\;{multiply},\;{complete}"
-    return aligned(condition, latex(unit.equations[-1]), completion, latex(square))
+    a, b, c = PAPER.quadratic
+    with sp.evaluate(False):
+        discriminant = sp.Add(sp.Pow(b, 2), sp.Mul(4, a, -c))
+    written_out = f"{latex(square.lhs)} = {sp.latex(discriminant, mul_symbol='dot', order='none')}"
+    value = rf"\colorbox{{{ink}}}{{\textcolor{{{paper}}}{{\textbf{{{square.rhs}}}}}}}"
+    return aligned(latex(unit.equations[-1]), completion, written_out, f"= {b**2} + {-4 * a * c} = {value}")
 
 
 def aligned(*equations: str) -> str:
     """Return LaTeX equations below each other, aligned at their equals signs."""
     lines = r" \\[.6em] ".join(equation.replace("=", "&=", 1) for equation in equations)
     return rf"\begin{{aligned}}{lines}\end{{aligned}}"
-
-
-def discriminant_written_out() -> tuple[str, str]:
-    """Return, as LaTeX, the paper's discriminant b² − 4ac, and the sum of two cubes with the terms b² and −4ac."""
-    a, b, c = PAPER.quadratic
-    with sp.evaluate(False):
-        expanded = sp.Add(sp.Pow(b, 2), sp.Mul(4, a, -c))
-    same_terms = [(x, y) for x, y in PAPER.cubes if x**3 == b**2]
-    return sp.latex(expanded, mul_symbol="dot", order="none"), sums_of_cubes(same_terms)
 
 
 @dataclass(frozen=True)

@@ -146,6 +146,11 @@ def draw_all_machines(chosen: BodyChoice) -> None:
     best = max(machines, key=lambda machine: len(machine.cubes))
     one, other = (machine.discriminant for machine in machines if len(machine.cubes) == 1)
     facts = {"count": len(machines), "best": best.discriminant, "one": one, "other": other}
+    sentence = _(
+        "The discriminants of {count} machines for $\\Omega^2=k/m$: only **{best}** is a sum of two positive cubes in "
+        "two ways; {one} and {other} are such a sum in one way. Choose any to build its machine."
+    )
+    st.markdown(sentence.format(**facts))
     drawings.plot(
         figures.draw_machine_grid(
             [_("{left} + {right}").format(left=WORDS[left], right=WORDS[right]) for left, right in pairs],
@@ -163,11 +168,6 @@ def draw_all_machines(chosen: BodyChoice) -> None:
         ).format(**facts, chosen=chosen.discriminant, name=machine_name(chosen)),
     )
     pick.mount("machines", select_clicked_machine)
-    sentence = _(
-        "The {count} discriminants for Ω² = k/m. Choose one to build its machine. Highlighted: sums of two positive "
-        "cubes, {best} in two ways, {one} and {other} in one."
-    )
-    st.caption(sentence.format(**facts))
 
 
 def select_clicked_machine(point: dict[str, float]) -> None:

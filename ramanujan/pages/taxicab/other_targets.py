@@ -66,10 +66,6 @@ def describe_target(results: cache.Results) -> None:
     discriminant = results.machine.discriminant
     if results.machine == PAPER:
         st.latex(rf"\varepsilon = {results.root}")
-        expanded, same_terms = cache.discriminant_written_out()
-        sentence = _("Term by term, the discriminant is one of the two sums: $b^2-4ac={expanded}={sum}$.")
-        # A line may break before the last equals sign.
-        st.markdown(sentence.format(expanded=f"{expanded}$ $", sum=same_terms))
         return
     st.latex(results.quadratic)
     st.latex(rf"\varepsilon = {results.root}")

@@ -4,7 +4,7 @@ import streamlit as st
 
 from ramanujan.pages.taxicab import cache, other_bodies, other_targets
 from ramanujan.pages.taxicab.cache import PAPER
-from ramanujan.shell import sidebar
+from ramanujan.shell import sidebar, theme
 from ramanujan.shell.display_mode import columns, slide
 from ramanujan.shell.sections.cubes import draw_stacks
 from ramanujan.text.translation import _
@@ -22,16 +22,20 @@ def show() -> None:
 
 
 def draw_reason() -> None:
-    """Draw the story of the number, and beside it the algebra that leads to it, above its two stacks of cubes."""
+    """Draw what the page shows and, beside it, the algebra that leads to the number, above its two stacks of cubes."""
     words, figure = columns("in_step")
     with slide("in_step", _("In step")), words:
         st.title(str(PAPER.discriminant), anchor=False)
-        sentence = _(
-            "G. H. Hardy found the number of his taxicab, {number}, rather dull. “No,” said Ramanujan: it is the "
-            "smallest number that is a sum of two cubes in two different ways. Here the same number decides when "
-            "two oscillators stay in step."
+        aim = _(
+            "At exactly one mass ratio, the machine stays in step with a plain mass on the same spring. The equation "
+            "for this ratio leads to the number {number}."
         )
-        st.markdown(sentence.format(number=PAPER.discriminant))
+        story = _(
+            "G. H. Hardy found {number}, the number of his taxicab, rather dull. “No,” said Ramanujan: it is the "
+            "smallest number that is a sum of two cubes in two different ways."
+        )
+        for sentence in (aim, story):
+            st.markdown(sentence.format(number=PAPER.discriminant))
         st.header(_("When is the machine in step?"), anchor=False)
         st.markdown(
             _(
@@ -44,7 +48,19 @@ def draw_reason() -> None:
             equation = cache.frequency_equation()
         st.latex(equation)
     with slide("cubes", _("Two stacks of cubes")), figure:
-        st.latex(cache.unit_equations())
+        st.markdown(_("If $\\Omega^2m/k=1$, the mass ratio $\\varepsilon$ solves a quadratic equation:"))
+        equations, meaning = st.columns(2, gap="medium", vertical_alignment="center")
+        with equations:
+            colors = theme.colors()
+            st.latex(cache.unit_equations(colors["primary"], colors["paper"]))
+        with meaning:
+            smaller, larger = PAPER.cubes[0]
+            sentence = _(
+                "The right side is the discriminant $b^2-4ac$ of the quadratic equation. Its two terms are cubes, "
+                "${one}={x}^3$ and ${other}={y}^3$: the left stack. The right stack has as many unit cubes. Why the "
+                "machine leads to a number of this kind is not known."
+            )
+            st.markdown(sentence.format(one=smaller**3, x=smaller, other=larger**3, y=larger))
         draw_stacks()
 
 

@@ -19,6 +19,11 @@ def test_figures_have_text_alternatives_and_a_click_builds_a_machine(visit: obje
     assert len(labels) == 2
     assert all(label and any(map(str.isdigit, label)) for label in labels)
     assert page.locator(".st-key-cubes svg").count() == 2
+    # The number of the equation ends the captions of both stacks, on the same background.
+    assert page.locator(".st-key-cubes figcaption b").all_inner_texts() == ["1729"] * 2
+    ends = page.locator(".st-key-columns-in_step").locator(".colorbox, figcaption b").all()
+    assert len({end.evaluate("(node) => getComputedStyle(node).backgroundColor") for end in ends}) == 1
+    assert len(ends) == 3
     # A click on a machine builds it; test_scene_taxicab checks that its ratio brings it into step.
     expect(shown(page)).to_have_text(re.compile(r"\d"))
     paper = shown(page).inner_text()

@@ -20,7 +20,7 @@ from ramanujan.number_theory import BODIES, BodyChoice, machines
 from ramanujan.pages.taxicab import cache, other_targets
 
 PAGE = "ramanujan/pages/taxicab/page.py"
-COLORS = dict.fromkeys(("ink", "faint", "paper", "primary", "top", "hoop", "on_hoop", "block"), "#123456")
+COLORS = dict.fromkeys(("ink", "faint", "paper", "primary", "top", "hoop", "on_hoop", "block_ink"), "#123456")
 
 
 @pytest.fixture
@@ -198,5 +198,5 @@ def test_labels_of_the_curve_stay_on_the_figure_at_every_target() -> None:
 
 
 def test_no_equation_is_shown_twice():
-    equations = [cache.frequency_equation(), *cache.unit_equations().split(r"\\")]
+    equations = [cache.frequency_equation(), *cache.unit_equations("#000", "#fff").split(r"\\")]
     assert len(set(equations)) == len(equations) > 3

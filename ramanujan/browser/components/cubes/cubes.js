@@ -61,13 +61,14 @@ const largestHeight = (sides, apart, width) => {
   return EDGE * (stackHeight * Math.cos(TILT) + Math.hypot(width, largestSide) * Math.sin(TILT) + 1);
 };
 
-export default function ({ data: { sums, alternatives, captions, words }, parentElement: root }, signal) {
+export default function ({ data: { sums, alternatives, captions, total, words }, parentElement: root }, signal) {
   const [box, slider] = root.querySelectorAll("input");
   const widest = Math.max(...sums.flatMap((sides) => sides.reduce((sum, side) => sum + side)));
   const pictures = sums.map((sides, i) => {
     const figure = document.createElement("figure"), label = alternatives[i];
     const svg = element("svg", { role: "img", "aria-label": label }, figure);
-    figure.append(Object.assign(document.createElement("figcaption"), { textContent: captions[i] }));
+    const caption = figure.appendChild(document.createElement("figcaption"));
+    caption.append(captions[i], Object.assign(document.createElement("b"), { textContent: total }));
     root.querySelector(".stacks").append(figure);
     svg.addEventListener("pointerdown", (event) => svg.setPointerCapture(event.pointerId), { signal });
     svg.addEventListener("pointermove", (event) => {
