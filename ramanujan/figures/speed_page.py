@@ -14,14 +14,14 @@ from ramanujan.text.translation import _, ngettext
 _NAMED = "<extra>%{fullData.name}</extra>"
 """The second hover box of Plotly, with the name of the curve."""
 _AFTER = _("after {periods} periods: {error}")
-_STRIP_HEIGHT, _HALF_STRIP = 50, 0.24
+_STRIP_HEIGHT, _HALF_STRIP = 44, 0.24
 """The height of a form's strip with the name above it [px], and half the strip's fraction of that height."""
 _MARGIN = {"l": 60, "r": 28, "t": 12, "b": 48}
 _STRONG, _GRAY = 4.0, 1.5
 """The widths of the line of the chosen method, and of the other methods [px]."""
 _LONGEST_NAME = 18
 """The largest number of letters of a name in one line at the right edge."""
-_LINE_HEIGHT = 0.095
+_LINE_HEIGHT = 0.08
 """The height of a line of a name on a slide, in fractions of the plotting area."""
 DOUBLE = "float64"
 """The precision of solid lines."""
@@ -244,7 +244,8 @@ def _name_lines(
     leaders = []
     for name, level in zip(names, levels, strict=True):
         cost, error = line_ends[name]
-        leader = line([float(cost), edge], [float(error), level], color=colors["faint"], width=1)
+        color = colors["primary"] if name == chosen else colors["block"]
+        leader = line([float(cost), edge], [float(error), level], color=color, width=1)
         leaders.append(leader | {"hoverinfo": "skip", "yaxis": "y2"})
     texts = []
     for name, label in zip(names, labels, strict=True):

@@ -10,7 +10,7 @@ from ramanujan.accuracy.work_precision import PERIODS, STEPS_PER_PERIOD
 from ramanujan.browser import stage
 from ramanujan.browser.containers import container
 from ramanujan.lesson import Attempt
-from ramanujan.pages.speed import cache, downsampling, verdicts
+from ramanujan.pages.speed import cache, downsampling
 from ramanujan.physics.integrators import METHODS
 from ramanujan.shell import address, sidebar, stages, widgets
 from ramanujan.shell.sections import tasks
@@ -30,15 +30,12 @@ _ANIMATION = 12.0
 
 
 def draw_controls() -> None:
-    """Draw the method, its steps, the button that starts the race, and a sentence on the method."""
+    """Draw the method, its steps, and the button that starts the race."""
     with st.container(horizontal=True, vertical_alignment="bottom", gap="xsmall", key="race_controls"):
         method = widgets.selectbox(METHOD, _("Method"), width="stretch")
         steps = widgets.count(STEPS, _("Steps per period"), width="stretch")
         attempt = method, steps
-        st.button(
-            _("Run"), key="run", type="primary", icon=":material/play_arrow:", on_click=_add_attempt, args=attempt
-        )
-    st.markdown(verdicts.describe_method(METHODS[method]))
+        st.button(_("Run"), key="run", type="primary", on_click=_add_attempt, args=attempt)
 
 
 def draw_machine() -> None:

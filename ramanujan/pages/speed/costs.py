@@ -38,9 +38,9 @@ def draw_costs() -> Callable[[], None]:
             st.header(title, anchor=False)
             st.markdown(
                 _(
-                    "A run further to the right costs more, one further down is more accurate. Choose the largest "
-                    "error: the ring marks the cheapest run. Solid: float64, numbers with 16 digits; dotted: float32, "
-                    "with 7."
+                    "Choose the largest error: the ring marks the cheapest run. A run further to the right costs more, "
+                    "one further down is more accurate. Solid: float64, numbers with 16 digits; dotted: float32, with "
+                    "7."
                 )
             )
     with controls:

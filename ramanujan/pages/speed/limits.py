@@ -31,11 +31,11 @@ def draw_forms() -> list[Sweep]:
     sentence = _(
         "Each strip is a formula for Ω², from very light bodies on the left to very heavy ones. On paper all {count} "
         "are equal. In a computer the square of a large mass overflows, and that of a small mass becomes 0: where a "
-        "strip is dark, Ω² is wrong. The value 0 would mean that nothing oscillates."
+        "strip is dark, Ω² is wrong."
     )
     st.markdown(filled(sentence, count=len(FORMS)))
     place = st.container(key="place_forms")
-    with place, st.skeleton(height=384):
+    with place, st.skeleton(height=348):
         sweeps, _solvers = cache.sweeps()
     name = widgets.segmented_control(SWEEP, _("What is varied, and the precision"), label_visibility="collapsed")
     sweep_name, _underscore, dtype = name.partition("_")

@@ -6,6 +6,7 @@ import numpy as np
 import streamlit as st
 
 from ramanujan.accuracy.work_precision import PERIODS
+from ramanujan.browser.containers import container
 from ramanujan.figures import speed_page as figures
 from ramanujan.lesson.answer_tasks import WITHIN
 from ramanujan.pages.speed import cache, challenge, costs, limits, verdicts
@@ -19,13 +20,13 @@ from ramanujan.text.translation import _
 
 TOPICS = {"race": _("Race"), "price": _("Price"), "limits": _("Limits")}
 TOPIC = address.Choice("topic", TOPICS, "race")
-ERRORS = {"phase": _("Phase error"), "energy": _("Energy error")}
+ERRORS = {"phase": _("Phase"), "energy": _("Energy")}
 ERROR = address.Choice("error", ERRORS, "phase")
 URL_PARAMETERS = (TOPIC, METHOD, STEPS, TRIES, ERROR, costs.COST, costs.TOLERANCE, limits.SWEEP)
 
 # Error → title and limits of its axis. Streamlit would show a string below the assignment, because it runs this file.
 _AXES = {
-    "phase": (_("phase error [turns]"), (1e-8, 10.0)),
+    "phase": (_("phase error [turns]"), (1e-6, 10.0)),
     "energy": (_("energy error<br>|<i>E</i>/<i>E</i>₀ − 1|"), (1e-8, 10.0)),
 }
 
@@ -56,27 +57,28 @@ def draw_race() -> None:
             with picture:
                 challenge.draw_machine()
             challenge.draw_controls()
+            st.markdown(verdicts.describe_method(METHODS[address.current(METHOD)]))
             with words:
                 challenge.draw_verdict()
         with slide("errors", _("How the errors grow")):
             draw_error_growth()
         return
-    with st.container(key="race"):
-        picture, figure = st.columns(2, gap="medium")
-        with picture:
-            st.markdown(challenge.TASK.text)
-            challenge.draw_machine()
-            challenge.draw_controls()
-            challenge.draw_verdict()
-        with figure:
-            draw_error_growth()
-            st.markdown(
-                _(
-                    "Most simulations advance in small time steps. This machine can also be solved exactly, so every "
-                    "error can be seen."
-                )
-            )
+    # On a phone the figure is above the controls that change it, on a wide page beside them.
+    row = container("columns", "race")
+    words, figure, game, about = row.container(), row.container(), row.container(key="race"), row.container()
+    with words:
+        st.markdown(_("A simulation moves in small steps. Each step adds an error."))
+        st.markdown(challenge.TASK.text)
+    with figure:
+        draw_error_growth()
+    with game:
+        challenge.draw_controls()
+        challenge.draw_machine()
+        challenge.draw_verdict()
     method, steps = address.current(METHOD), address.current(STEPS)
+    with about:
+        st.markdown(verdicts.describe_method(METHODS[method]))
+        st.markdown(_("This machine can also be solved exactly, so every error can be seen."))
     with st.expander(_("This run in numbers")):
         st.markdown(verdicts.describe_errors(cache.run(method, steps)))
         st.markdown(verdicts.describe_stability(METHODS[method], steps))
@@ -112,9 +114,13 @@ def draw_limits() -> None:
 def draw_error_growth() -> None:
     """Draw how an error of all methods grows, with the selected method in front."""
     method, steps = address.current(METHOD), address.current(STEPS)
-    st.header(_("How the errors grow"), anchor=False)
+    head = st.container(
+        horizontal=True, horizontal_alignment="distribute", vertical_alignment="center", key="growth_head"
+    )
+    with head:
+        st.header(_("How the errors grow"), anchor=False, width="content")
+        error = widgets.segmented_control(ERROR, _("Error"), label_visibility="collapsed")
     place = st.container(key="place_growth")
-    error = widgets.segmented_control(ERROR, _("Error"), label_visibility="collapsed")
     runs = {name: cache.run(name, steps) for name in METHODS}
     curves = {}
     for name, run in runs.items():

@@ -111,7 +111,7 @@ def recommend_run(choices: Sequence[Run], tolerance: float, by: str, exact: Clos
     exact : the measured closed form
     """
     cheapest = _recommend(choices[0], tolerance, by) if choices else _none_reaches(tolerance)
-    sentence = _("The closed form takes {time}, and it is off by {error} of a turn.")
+    sentence = _("The closed form, one formula for every time, takes {time}, and it is off by {error} of a turn.")
     closed_form = sentence.format(time=duration(exact.seconds), error=number(exact.error))
     return f"{cheapest} {closed_form}"
 
@@ -236,14 +236,14 @@ def describe_phases(errors: Sequence[PhaseErrors]) -> str:
     for before, after in pairwise(errors):
         if before.float32 <= 1 < after.float32:
             sentence = _(
-                "In float32, with about 7 digits, the error of the phase Ω·t passes 1\u202frad between {before} and "
-                "{after} periods."
+                "Whole turns use up the digits of Ω·t. With 7 digits (float32), the phase error passes 1\u202frad "
+                "between {before} and {after} periods."
             )
             sentences.append(sentence.format(before=number(before.periods), after=number(after.periods)))
             break
     reduced = _(
-        "In float64, with about 16 digits, it is {last.float64:2 rad} after {last.periods:2} periods. With twice as "
-        "many digits of Ω, and whole turns subtracted first, it never exceeds **{largest:2↑ rad}**."
+        "With 16 digits (float64), it is {last.float64:1 rad} after {last.periods:2} periods. Subtract whole turns "
+        "first, with twice as many digits of Ω: it stays within **{largest:1↑ rad}**."
     )
     sentences.append(filled(reduced, last=errors[-1], largest=max(entry.reduced for entry in errors)))
     return " ".join(sentences)
