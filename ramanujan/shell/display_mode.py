@@ -150,7 +150,8 @@ def draw_bar() -> None:
     """Draw the bar with the link and the projector switch. It is above the page, or below (page.css)."""
     st.session_state[_SWITCH] = is_projector()
     with st.container(horizontal=True, vertical_alignment="center", key="bar"):
-        link.mount(address.PRIVATE, STANDALONE)
+        host = address.link_for_others({}).netloc
+        link.mount(address.PRIVATE, STANDALONE, host, address.is_only_for_this_computer())
         st.toggle(_("Projector"), key=_SWITCH, on_change=_store_view)
 
 

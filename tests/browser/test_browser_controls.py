@@ -1,14 +1,17 @@
 """Sliders, boxes, presets and the curve under a hand; test_browser_lost uses a slow network."""
 
 import math
+import re
 
 import pytest
 from playwright.sync_api import expect
 
 from ramanujan import UNIT_MASS_RATIO, Oscillator, normalized_frequency_squared
+from ramanujan.browser.components import link
 from ramanujan.pages.oscillator.cache import CURVE_RANGE
 from tests.checks.browser import inside, next_frame, press_preset, script, settle, traffic
 from tests.checks.controls import box, hold, normalized, slider, write
+from tests.checks.engines import ANY_ENGINE
 from tests.checks.layout import CUT
 
 PANEL = ".st-key-curve .nsewdrag >> nth=0"
@@ -21,6 +24,14 @@ DRAWN = """() => [".st-key-stage", ".st-key-stage_beside_curve"].map((stage) => 
   });
 })"""
 """The positions and weights of the visible bodies and hands, at the top of the page and beside the curve."""
+
+PRESS = """async (name) => {
+  const root = document.querySelector(".st-key-link [data-testid=stBidiComponentIsolated]").shadowRoot;
+  root.querySelector(`[data-do=${name}]`).click();
+  await new Promise((done) => setTimeout(done));
+  return root.querySelector(".report").textContent;
+}"""
+"""Presses a button of the menu *Share*, and returns the report."""
 
 
 def press(page, preset: str) -> None:
@@ -82,8 +93,27 @@ def check_copied_link(page) -> None:
     page.locator(".st-key-link").get_by_role("button", name="Copy link").click()
     expect(page.locator(".st-key-link .report")).not_to_be_empty()
     report = page.locator(".st-key-link .report").inner_text()
-    assert report in ("Copied.", "Copy this text:")
-    assert report == "Copied." or page.locator(".st-key-link input").input_value() == page.url
+    copied = "Copied. Only this computer can open the address."  # the tests' app does not listen in the network
+    assert report in (copied, "Copy this text:")
+    assert report == copied or page.locator(".st-key-link input").input_value() == page.url
+
+
+@pytest.mark.parametrize(
+    ("host", "is_only_here", "copied"),
+    [
+        ("192.168.1.7:8501", False, "Copied."),
+        ("", True, "Copied. Only this computer can open the address."),
+    ],
+)
+@ANY_ENGINE
+def test_a_copied_address_has_the_host_that_other_computers_open(bare, host, is_only_here, copied):
+    opened = bare("?k=20&key=secret")
+    opened.put(lambda: link.mount(["key"], ["k"], host, is_only_here))
+    opened.page.evaluate("() => { navigator.clipboard.writeText = async (text) => { window.copied = text; }; }")
+    place = re.escape(host or opened.page.evaluate("location.host"))
+    for button, text in (("copy", rf"http://{place}/light\?k=20"), ("embed", rf'.* src="http://{place}/.*#k=20".*')):
+        assert opened.page.evaluate(PRESS, button) == copied
+        assert re.fullmatch(text, opened.page.evaluate("copied"))
 
 
 def check_away_and_back(page) -> None:

@@ -45,9 +45,11 @@ export default function ({ data, parentElement }, signal) {
     return String(new URLSearchParams(known));
   }
   const file = new URL(data.file, document.baseURI);
+  /** The same address with the host for other computers, which cannot open `localhost`. */
+  const forOthers = (url) => Object.assign(new URL(url), { host: data.host });
   const actions = {
     copy() {
-      const url = new URL(location.href); // a lecturer's keys are removed
+      const url = forOthers(location.href); // a lecturer's keys are removed
       for (const key of data.private) if (url.searchParams.has(key)) url.searchParams.delete(key);
       copy(url.href);
     },
@@ -65,7 +67,7 @@ export default function ({ data, parentElement }, signal) {
     },
     embed() {
       const hash = machineSettings(), frame = document.createElement("iframe");
-      const src = `${file}${hash && `#${hash}`}`;
+      const src = `${forOthers(file)}${hash && `#${hash}`}`;
       const attributes = { src, title: data.title, width: "100%", height: 800, style: "border:0" };
       for (const [name, value] of Object.entries(attributes)) frame.setAttribute(name, value);
       frame.setAttribute("sandbox", "allow-scripts allow-downloads");

@@ -51,7 +51,7 @@ def mount_lesson(
     page_keys_turn : whether the page keys, which a clicker sends, also turn stops
     place : template of a screen reader's sentence about the present stop
     """
-    data = {"headings": list(headings), "now": now, "page_keys_turn": page_keys_turn, "has_ending": True}
+    data = {"headings": list(headings), "now": now, "page_keys_turn": page_keys_turn}
     data |= {"label": _("Stops of the lesson"), "slide": pgettext("of the lesson", "Stop"), "place": place}
 
     def receive(number: int) -> None:

@@ -23,6 +23,7 @@ export default function (component, signal) {
 /** The control of a lecture. Its slides are counted from 1 and have headings. */
 class Turner {
   now = 0;
+  hasEnding = false; // whether the last heading is that of the ending, which has no number
 
   /** `sliderEvent`: name of the slider's event that turns. */
   constructor(component, signal, sliderEvent) {
@@ -66,9 +67,9 @@ class Turner {
 
   /** Update the control. */
   show(now) {
-    const { headings, place, has_onward_link: hasOnwardLink, has_ending: hasEnding } = this.component.data;
-    const last = headings.length, heading = headings[now - 1], isEnding = hasEnding && now === last;
-    const count = hasEnding ? last - 1 : last; // the ending has a heading, but no number
+    const { headings, place, has_onward_link: hasOnwardLink } = this.component.data;
+    const last = headings.length, heading = headings[now - 1], isEnding = this.hasEnding && now === last;
+    const count = this.hasEnding ? last - 1 : last;
     this.now = now;
     const ariaValueText = isEnding ? heading : fill(place, { now, count, heading });
     Object.assign(this.slider, { max: last, value: now, ariaValueText });
@@ -126,6 +127,7 @@ class Steps extends Turner {
 }
 
 class Stops extends Turner {
+  hasEnding = true;
   request = null; // { stop, time } of the last turn without an answer
 
   constructor(component, signal) {
