@@ -80,16 +80,15 @@ def draw_time_panels(
     end = period * periods
     axes: dict[str, Any] = {}
     traces: list[dict[str, Any]] = []
-    names = _name_areas(panels[0], end)
-    labels = {name["text"] for name in names}
-    if names_lines:
-        lines = [curve for curve in panels[0].curves if not curve.is_stacked]
-        times = np.linspace(0, end, len(lines[0].values))
-        named = _name_lines(
-            lines, [times] * len(lines), [line.values for line in lines], (0, end), panels[0].range, 0.1
-        )
-        names += named.values()
-        labels.update(*named)
+    named: dict[tuple[str, ...], dict[str, Any]] = {}
+    first = panels[0]
+    if first.curves[0].is_stacked:
+        named = _name_stack(first, end, colors)
+    elif names_lines:
+        times = np.linspace(0, end, len(first.curves[0].values))
+        values = [curve.values for curve in first.curves]
+        named = _name_lines(first.curves, [times] * len(values), values, (0, end), first.range, 0.1)
+    labels = set().union(*named)
     for place, (panel, domain) in enumerate(zip(panels, _domains(len(panels)), strict=True), start=1):
         axis = "y" if place == 1 else f"y{place}"
         for curve in panel.curves:
@@ -100,7 +99,7 @@ def draw_time_panels(
         title = _("{quantity} [{unit}]").format(quantity=panel.title, unit=panel.unit)
         axes[f"yaxis{axis[1:]}"] = _axis(title, panel.range, domain=domain, nticks=6, **_zero_line(colors))
     end_of_first_period = _vertical_line(period, {"color": colors["ink"], "width": 1, "dash": "dot"}, layer="below")
-    notes = [_text_above(period, _("one period"), font={"size": 12}), *names]
+    notes = [_text_above(period, _("one period"), font={"size": 12}), *named.values()]
     hover_title = {"text": "<i>t</i> = %{x:.4~g} s"}
     time_axis = _axis(
         _("time after release <i>t</i> [s]"), (0, end), anchor="free", position=0, unifiedhovertitle=hover_title
@@ -198,23 +197,26 @@ def draw_friction_bars(
 
 
 def step_range(arrays: Iterable[np.ndarray]) -> tuple[float, float]:
-    """Return a range around 0 for all arrays, whose ends are 1, 2, 3 or 5 times a power of ten.
+    """Return a range from below 0 to above 0 for all arrays, whose ends are numbers of `round_up`.
 
-    Most changes of the values therefore leave an axis unchanged.
+    Most changes of the values therefore leave an axis unchanged. The end without values of its sign is a small part of
+    the other one.
 
-    >>> step_range([np.array([-0.6, 8.0])])
-    (-10.0, 10.0)
-    >>> step_range([np.array([0.0, -9.9])])
-    (-20.0, 20.0)
+    >>> step_range([np.array([-6.0, 8.0])])
+    (-7.0, 10.0)
+    >>> step_range([np.array([0.0, 99.0])])
+    (-7.0, 150.0)
     """
-    end = round_up(1.05 * max(float(np.max(np.abs(values))) for values in arrays))
-    return -end, end
+    values = np.concatenate([np.ravel(array) for array in arrays])
+    lowest, highest = 1.05 * float(values.min()), 1.05 * float(values.max())
+    least = max(-lowest, highest) / 15
+    return -round_up(max(-lowest, least)), round_up(max(highest, least))
 
 
 def round_up(value: float) -> float:
-    """Return the least number of the form 1, 2, 3 or 5 times a power of ten that is not below a value; 1 for zero."""
+    """Return the least of 1, 1.5, 2, 3, 4, 5, 7, times a power of ten, that is not below a value; 1 for zero."""
     power = 10.0 ** math.floor(math.log10(value)) if value else 1.0
-    return next((digit * power for digit in (1, 2, 3, 5) if digit * power >= value), 10 * power)
+    return next((digit * power for digit in (1, 1.5, 2, 3, 4, 5, 7) if digit * power >= value), 10 * power)
 
 
 def _lay_out(
@@ -245,26 +247,47 @@ def _text_above(x: float, text: str, **more: Any) -> dict[str, Any]:
     return {"x": x, "y": 1, "yref": "paper", "yanchor": "bottom", "text": text, "showarrow": False, **more}
 
 
-def _name_areas(panel: Panel, end: float) -> list[dict[str, Any]]:
-    """Return the name of each stacked area, where it is highest, in front of the line after one period.
+def _name_stack(panel: Panel, end: float, colors: Mapping[str, str]) -> dict[tuple[str, ...], dict[str, Any]]:
+    """Return label → annotation for each stacked area of a panel, and for its last curve, their constant sum.
 
-    An area that is too low for letters is named only in the legend.
+    The name of an area is where it is highest, in front of the line after one period. An area that is too low for
+    letters has its name above the sum, with a line to the area.
     """
-    notes = []
-    stacked = [curve for curve in panel.curves if curve.is_stacked]
-    floor = np.zeros_like(panel.curves[0].values)
-    for label, parts in groupby(stacked, key=lambda curve: curve.label):
+    *areas, total = panel.curves
+    last = len(total.values) - 1
+    above = (total.values[0] + panel.range[1]) / 2
+    sum_name = note(_in_ink(total), None, 0, total.values[0])
+    names = {(total.label,): sum_name | {"xanchor": "left", "yanchor": "bottom", "xshift": 6}}
+    # A name above the sum takes a quarter of the time axis. The first quarter has the name of the sum.
+    free_quarters = [2, 3, 1]
+    floor = np.zeros_like(total.values)
+    for label, parts in groupby(areas, key=lambda curve: curve.label):
         height = np.sum([curve.values for curve in parts], axis=0)
         # The first fifth contains the crest beside the axis, which is too narrow for a long name.
-        first, last = len(height) // 5, len(height) // 2 - 1
-        crest = first + int(height[first:last].argmax())
+        crest = _crest(height, last // 5, last // 2)
         if height[crest] > _LEAST_HEIGHT * panel.range[1]:
-            time = end * crest / (len(height) - 1)
             # Near the top of a high area, a name does not touch the names in the areas beside it.
             above_floor = max(height[crest] / 2, height[crest] - panel.range[1] / 10)
-            notes.append(note(label, None, time, floor[crest] + above_floor))
+            names[(label,)] = note(label, None, end * crest / last, floor[crest] + above_floor)
+        elif free_quarters and height.any():
+            quarter = free_quarters.pop(0)
+            crest = _crest(height, quarter * last // 4, (quarter + 1) * last // 4)
+            time = end * crest / last
+            line_to_area = {"showarrow": True, "arrowhead": 6, "arrowwidth": 1.5, "arrowcolor": colors["ink"]}
+            start = {"axref": "x", "ayref": "y", "ax": time, "ay": float(above)}
+            names[(label,)] = note(label, None, time, floor[crest] + height[crest] / 2) | line_to_area | start
         floor = floor + height
-    return notes
+    return names
+
+
+def _crest(values: np.ndarray, first: int, last: int) -> int:
+    """Return the index of the largest value from `first` up to and without `last`."""
+    return first + int(values[first:last].argmax())
+
+
+def _in_ink(curve: TimeCurve) -> str:
+    """Return the label of a curve in its colour for words."""
+    return f'<span style="color:{curve.ink}">{curve.label}</span>'
 
 
 def _name_lines(
@@ -311,7 +334,7 @@ def _name_lines(
             continue
         index, side = place
         taken.append((_centre(path, index, side, size), size))
-        text = ", ".join(f'<span style="color:{curves[each].ink}">{curves[each].label}</span>' for each in group)
+        text = ", ".join(_in_ink(curves[each]) for each in group)
         words = note(text, None, abscissas[group[0]][index], ordinates[group[0]][index])
         anchor = {"yanchor": "bottom" if side > 0 else "top", "yshift": 4 * side}
         names[tuple(curves[each].label for each in group)] = words | anchor

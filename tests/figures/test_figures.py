@@ -50,7 +50,8 @@ def check_legend(data: list[dict], layout: dict) -> None:
         return
     names = [trace["name"] for trace in data if trace.get("name") and trace.get("showlegend", True)]
     curves = {trace["name"] for trace in data if trace.get("name")}
-    labels = [note["text"] for note in layout.get("annotations", ()) if note["text"] in curves]
+    texts = [re.sub("</?span.*?>", "", note["text"]) for note in layout.get("annotations", ())]
+    labels = [text for text in texts if text in curves]
     assert sorted([*names, *labels]) == sorted(curves)
     assert layout["legend"]["y"] > 1
 

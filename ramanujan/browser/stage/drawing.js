@@ -88,7 +88,7 @@ export function velocityArrow(x, y, length, longestHead) {
 export function forceArrow(x, y, length, longestHead) {
   if (Math.abs(length) < SHORTEST) return "";
   const head = Math.sign(length) * Math.min(Math.abs(length), longestHead), shaft = length - head;
-  const [thick, wide] = [0.22 * head, 0.62 * head];
+  const [thick, wide] = [0.2 * head, 0.5 * head];
   const upper = [[0, thick], [shaft, thick], [shaft, wide], [length, 0]];
   const corners = [...upper, [shaft, -wide], [shaft, -thick], [0, -thick]];
   const points = corners.map(([along, across]) => `${x + along} ${-y - across}`);
@@ -126,8 +126,10 @@ export function horizontalForces(values, place, shift) {
   // The two forces of a stretched spring point towards each other.
   const axis = place.slab.bottom + place.thick / 2, { slab, block } = FORMULAS.spring_force;
   const [from, to] = [place.slab.right + displaced.slab, place.riser + displaced.block];
-  forces["spring slab"] = { body: "slab", x: from, y: axis + offset, newtons: slab(values) };
-  forces["spring block"] = { body: "block", x: to, y: axis - offset, newtons: block(values) };
+  // An arrow to the left may reach over the slab, so it is above the forces of the rollers on the slab.
+  const spring = (body, x, newtons) => ({ body, x, y: axis + (newtons < 0 ? 1.45 : -0.4) * offset, newtons });
+  forces["spring slab"] = spring("slab", from, slab(values));
+  forces["spring block"] = spring("block", to, block(values));
   return forces;
 }
 

@@ -15,10 +15,9 @@ import { WORDS } from "./texts.js";
 
 const TRACE_POINTS = 90;
 const PERIOD_POINTS = 24; // states of a period at which the largest speed and force are sampled
-const LONGEST = { speed: 1.5, force: 1.8 }; // length of the longest arrow, in radii of a roller
+const LONGEST = { speed: 1.5, force: 2.8 }; // length of the longest arrow, in radii of a roller
 const SMALLEST_RADIUS = 8; // cm, the least unit of these lengths, so that the arrows of small rollers are visible
-const LONGEST_FORCE_HEAD = 1.8; // cm
-const LETTERED = 1.4; // factor of the length of forces with letters
+const LONGEST_FORCE_HEAD = 2.7; // cm
 const SHORTEST_LETTERED = 1; // cm, the shortest force with a visible letter
 const GAP = 1.2; // cm between an arrow and its label
 const LABEL_WIDTH = 15; // cm, at least the width of the longest label of `drawRolling`
@@ -73,8 +72,7 @@ export function makeLayers(root) {
     const speed = largest((known) => BODIES.map((name) => velocity(name, known)));
     const force = largest((known) => strengths(horizontalForces(known, place, 0)));
     maxima = { speed, force };
-    const longestForce = LONGEST.force * (data.forces ? LETTERED : 1);
-    unitLengths = { speed: (LONGEST.speed * size) / speed, force: (longestForce * size) / force };
+    unitLengths = { speed: (LONGEST.speed * size) / speed, force: (LONGEST.force * size) / force };
   }
 
   /** Draw a scale for each kind of arrow: an arrow of a round value, with the value. */
@@ -180,6 +178,10 @@ export function makeLayers(root) {
     setVisible(find(".rolling"), seenFrom === "block");
     find(".machine").classList.toggle("from-block", seenFrom === "block");
     setVisible(find(".speed"), shown.has("arrows") || seenFrom === "block");
+    const hasForces = Boolean(data.forces) || shown.has("forces");
+    const hasArrowsAtCentres = ["arrows", "coordinates"].some((name) => shown.has(name)) || seenFrom === "block";
+    find(".machine").classList.toggle("with-forces", hasForces);
+    find(".machine").classList.toggle("centred", hasForces && !data.forces && !hasArrowsAtCentres);
     isLayered = data.forces || [...shown].some((name) => name !== "energy");
     find(".machine").classList.toggle("layered", Boolean(isLayered));
   }

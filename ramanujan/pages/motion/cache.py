@@ -36,11 +36,8 @@ _CM = 100.0
 """Centimetres in a metre."""
 FRAMES = {"ground": _("relative to the ground"), "block": _("relative to the block")}
 """Frame of reference → its name."""
-_LINES: dict[str, dict[str, Any]] = {
-    "hoop": {"width": 5.0},
-    "cylinder": {"dash": "6px 6px"},
-}
-"""Styles of two lines that coincide, because hoop and lower cylinder move together: a broad and a dashed line."""
+_LOWER_ROLLERS = _("hoop, lower cylinder")
+"""The name of the common curve of these two bodies, which always move together."""
 _ENERGIES = {"": _("{body}"), "translation": _("{body}, translation"), "rotation": _("{body}, rotation")}
 """Kind of energy → template for the name of a body's energy."""
 
@@ -127,8 +124,8 @@ def _displacements(motion: Record, colors: Mapping[str, str]) -> list[Panel]:
     panels = []
     for frame, title in FRAMES.items():
         positions, _velocities = relative_to(frame, motion)
-        curves = [_body_curve(body, _CM * x, colors, **_LINES.get(body, {})) for body, x in positions.items()]
-        panels.append(Panel(title, "cm", curves, _ranges(frame, motion)[0]))
+        centimetres = {body: _CM * x for body, x in positions.items()}
+        panels.append(Panel(title, "cm", _body_curves(centimetres, colors), _ranges(frame, motion)[0]))
     return panels
 
 
@@ -186,10 +183,7 @@ def _energy(motion: Record, colors: Mapping[str, str]) -> list[Panel]:
 
 def _momentum(motion: Record, colors: Mapping[str, str]) -> list[Panel]:
     """Return the momentum of each body, which oscillates, and the two conserved momenta, which are constant."""
-    curves = []
-    for body, values in motion.body_momenta.items():
-        look = _LINES.get(body, {}) | {"width": 1.5}
-        curves.append(_body_curve(body, values, colors, **look))
+    curves = _body_curves(motion.body_momenta, colors, width=1.5)
     conserved = {
         _("total: −<i>p</i><sub>X</sub>"): (-motion.momenta["p_X"], "ink", "solid"),
         "<i>p</i><sub>Φ</sub><i>/R</i>": (motion.momenta["p_Phi"] / motion.oscillator.radius, "primary", "10px 6px"),
@@ -223,6 +217,13 @@ def _contact_curve(contact: str, values: np.ndarray, colors: Mapping[str, str]) 
     # TRANSLATORS: the same in short: hoop–slab.
     label = _("{body}–{other}").format(body=PARTS[body], other=PARTS[other])
     return replace(_body_curve(body, values, colors, dash=dash), name=CONTACTS[contact], label=label)
+
+
+def _body_curves(values: Mapping[str, np.ndarray], colors: Mapping[str, str], **look: Any) -> list[TimeCurve]:
+    """Return a curve for each body, and one for both lower rollers, whose values are equal."""
+    curves = {body: _body_curve(body, each, colors, **look) for body, each in values.items() if body != "cylinder"}
+    curves["hoop"] = replace(curves["hoop"], name=_LOWER_ROLLERS, label=_LOWER_ROLLERS)
+    return list(curves.values())
 
 
 def _body_curve(body: str, values: np.ndarray, colors: Mapping[str, str], **look: Any) -> TimeCurve:

@@ -389,8 +389,8 @@ def test_the_floor_is_as_wide_as_its_ruler_and_no_label_is_cut(picture):
 
 @ANY_ENGINE
 def test_no_letter_is_covered_by_an_arrow_or_another_letter(picture, sample):
-    """Check all layers at several moments, for the smallest and the largest machine."""
-    picture.layers("energy", "arrows", "forces", "traces", "coordinates")
+    """Check all layers, and the forces alone, at several moments, for the smallest and the largest machine."""
+    everything = "energy", "arrows", "forces", "traces", "coordinates"
     boxes = f"""() => {{
       const named = (selector) => [...{STAGE}.querySelectorAll(selector)].map((node) => {{
         const {{ left, top, right, bottom }} = node.getBoundingClientRect();
@@ -402,7 +402,9 @@ def test_no_letter_is_covered_by_an_arrow_or_another_letter(picture, sample):
         forces: named(".forces .line"),
       }};
     }}"""
-    for R, compression in sample([(0.05, 0.04), (0.05, 0.12), (0.1, 0.08), (0.2, 0.12)]):
+    releases = [(0.05, 0.04), (0.05, 0.12), (0.1, 0.08), (0.2, 0.12)]
+    for layers, (R, compression) in sample(product((everything, ("forces",)), releases)):
+        picture.layers(*layers)
         picture.show(Oscillator(1.0, 0.8, 10.0, R), compression)
         for periods in (0.08, 0.6, 0.9):
             picture.at(periods)

@@ -129,8 +129,8 @@ def check_hover_and_click(page):
     page.mouse.up()
     next_frame(page)
     assert float(page.get_by_label("Time cursor").input_value()) == pytest.approx(0.6, abs=0.01)
-    # One label for both panels: five bodies relative to the ground, four relative to the block.
-    assert page.locator(".hoverlayer .traces").count() == 9
+    # One label for both panels: four curves relative to the ground, three relative to the block.
+    assert page.locator(".hoverlayer .traces").count() == 7
 
 
 def check_dragged_cursor(page):

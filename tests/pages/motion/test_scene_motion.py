@@ -154,12 +154,18 @@ def test_the_stack_of_energies_ends_at_the_flat_total(setting):
     assert np.ptp(total) <= 1e-6 * total[0]
 
 
-def test_the_name_of_an_energy_is_in_its_area():
-    (figure,) = figures("energy", *CORNERS[3])
-    *parts, _total = figure["data"]
+@pytest.mark.parametrize("m_prime", [0.05, 1.0, 10.0])
+def test_the_name_of_an_energy_is_in_its_area_or_leads_to_it(m_prime):
+    (figure,) = figures("energy", 1.0, m_prime, *CORNERS[3][2:])
+    *parts, total = figure["data"]
     edges = np.cumsum([array(trace["y"]) for trace in parts], axis=0)
-    names = [note for note in figure["layout"]["annotations"] if note["yref"] == "y"]
-    assert {note["text"] for note in names} >= {"slab", "block", "spring"}
+    sum_name, *names = [note for note in figure["layout"]["annotations"] if note["yref"] == "y"]
+    assert "total energy" in sum_name["text"]
+    assert {note["text"] for note in names} == {trace["name"] for trace in parts}
+    assert not any(trace["showlegend"] for trace in figure["data"])
+    above = [note for note in names if note["showarrow"]]
+    assert all(note["ay"] > array(total["y"])[0] for note in above)
+    assert len({4 * note["ax"] // figure["layout"]["xaxis"]["range"][1] for note in above}) == len(above), "apart"
     for note in names:
         moment = round(note["x"] / parts[0]["dx"])
         lowest_above = int(np.searchsorted(edges[:, moment], note["y"]))
@@ -209,7 +215,8 @@ def test_the_axes_have_few_ranges():
         tuple(figures("displacements", 1, 1, 10, 0.1, 0.08, 0.002 * step, 0)[0]["layout"]["yaxis"]["range"])
         for step in range(101)
     }
-    assert ranges == {(-end, end) for end in (10, 20, 30, 50, 100)}
+    # The lower end is that of the motion relative to the block, which no initial velocity of the machine changes.
+    assert ranges == {(-10, end) for end in (10, 15, 20, 30, 40, 50, 70, 100)}
 
 
 @pytest.mark.parametrize("setting", CORNERS)
@@ -236,6 +243,6 @@ def test_the_hover_text_names_body_displacement_and_frame():
     (figure,) = figures("displacements", *CORNERS[3])
     texts = [trace["hovertemplate"] for trace in figure["data"]]
     assert all(text.endswith("<extra></extra>") for text in texts)
-    assert all(re.search(r"(^|>)[a-z ]+: %\{y", text) for text in texts)
+    assert all(re.search(r"(^|>)[a-z, ]+: %\{y", text) for text in texts)
     titles = [text.partition("</b>")[0].removeprefix("<b>") for text in texts if text.startswith("<b>")]
     assert titles == ["relative to the ground", "relative to the block"]
