@@ -15,7 +15,7 @@ import json
 import posixpath
 import re
 from base64 import b64encode
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from hashlib import sha256
 from html import escape
 from pathlib import Path
@@ -183,10 +183,19 @@ def _explain_symbols() -> Iterator[str]:
 
 
 def _write_steps() -> Iterator[str]:
-    """Yield the six steps of the derivation, with their results in MathML."""
+    """Yield the six steps of the derivation: their results, and when opened their reasons and other equations."""
     for step in first_page.summary(None):
-        results = "".join(f"<div>{_convert_to_mathml(result)}</div>" for result in step.results)
-        yield f"<li><h3>{escape(step.heading)}</h3>{results}</li>"
+        results = _write_equations(step.results)
+        details = "".join(
+            f"<p>{_convert_formulas(detail.reason)}</p>{_write_equations(row.unmarked.latex for row in detail.details)}"
+            for detail in step.steps
+        )
+        yield f"<li><details><summary><h3>{escape(step.heading)}</h3>{results}</summary>{details}</details></li>"
+
+
+def _write_equations(equations: Iterable[str]) -> str:
+    """Return equations in MathML, each in a box of its own."""
+    return "".join(f"<div>{_convert_to_mathml(equation)}</div>" for equation in equations)
 
 
 def _convert_bold(text: str) -> str:
@@ -204,7 +213,7 @@ def _convert_formulas(text: str) -> str:
 def _convert_to_mathml(latex: str) -> str:
     """Return a formula as MathML, with large fractions. A placeholder protects m′, which the converter would split."""
     # Chromium adds a wide space beside parentheses that can grow. These formulas do not need such parentheses.
-    fixed = latex.replace(r"\left", "").replace(r"\right", "")
+    fixed = latex.replace(r"\left", "").replace(r"\right", "").replace(r"\mathcal L", r"\mathcal{L}")
     converted = convert(fixed.replace(r"\frac", r"\dfrac").replace("m'", _PLACEHOLDER))
     converted = converted.replace(f"<mi>{_PLACEHOLDER}</mi>", "<mi>𝑚′</mi>")
     converted = converted.replace("<mo>&#x0002F;</mo>", '<mo lspace="0" rspace="0">/</mo>')

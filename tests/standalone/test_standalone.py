@@ -58,6 +58,16 @@ def test_the_symbols_are_explained_before_the_first_formula():
         assert 0 < text.index(meaning) < steps
 
 
+def test_each_step_of_the_derivation_has_its_reasons():
+    steps = html().partition('<ol class="six_steps">')[2].partition("</ol>")[0].split("</li>")[:-1]
+    assert len(steps) == 6
+    for step, sentence in ((steps[0], "No roller slips"), (steps[-1], "Complete the square.")):
+        results, _end, reasons = step.partition("</summary>")
+        assert sentence in reasons
+        assert "<math" in results
+        assert "<math" in reasons
+
+
 def read_curve() -> ET.Element:
     """Return the curve of the file."""
     return ET.fromstring(re.search("<svg class=.curve.*?</svg>", html())[0])
