@@ -42,6 +42,12 @@ export function stateAt({ Omega, motion }, phase, time, [cosine, sine] = [Math.c
   return state;
 }
 
+/** Interpolate linearly between samples at equal steps; `share` is 0 at the first sample and 1 at the last. */
+export function between(values, share) {
+  const position = share * (values.length - 1), i = Math.min(Math.floor(position), values.length - 2);
+  return values[i] + (position - i) * (values[i + 1] - values[i]);
+}
+
 /** The replacements of cos Ωt and sin Ωt for a computed motion: q, interpolated linearly, and −dq/d(Ωt). */
 export function sampleAt({ q, per_period }, phase) {
   const position = clamp((phase / TURN) * per_period, 0, q.length - 1); // in samples

@@ -6,6 +6,7 @@ import { bus } from "../../bus.js";
 import { plotly } from "../../plotly.js";
 import { draw, erase, panelArea, shareOf } from "../../marks.js";
 import { fill, fixed, withUnit } from "../../sentences.js";
+import { between } from "../../stage/motion.js";
 
 const CURSOR = "time-cursor";
 const STILL = 5; // px, the largest movement of a click
@@ -116,10 +117,4 @@ function mark(graph, share) {
     dot.classList.add("dot");
     dot.style.color = line.color;
   });
-}
-
-/** Interpolate linearly between samples at equal steps; `share` is 0 at the first sample and 1 at the last. */
-function between(values, share) {
-  const position = share * (values.length - 1), i = Math.min(Math.floor(position), values.length - 2);
-  return values[i] + (position - i) * (values[i + 1] - values[i]);
 }

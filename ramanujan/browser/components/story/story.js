@@ -5,6 +5,7 @@
 import { bus } from "../../bus.js";
 import { sliders } from "../../sliders.js";
 import { fill, fixed } from "../../sentences.js";
+import { between } from "../../stage/motion.js";
 
 const SAME = 1e-12; // relative; the rounding errors of ε* are smaller
 // Whether the slider has reached the ratio since the page was loaded; then the ratio is marked.
@@ -131,12 +132,6 @@ class Story {
   startLabel() {
     return isCompleted ? this.data.words.again : this.data.words.begin;
   }
-}
-
-/** Interpolate linearly between samples at equal steps; `share` is 0 at the first sample and less than 1. */
-function between(values, share) {
-  const position = share * (values.length - 1), i = Math.floor(position);
-  return values[i] + (position - i) * (values[i + 1] - values[i]);
 }
 
 /** A clock with both hands, as HTML. */
