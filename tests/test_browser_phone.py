@@ -75,7 +75,7 @@ def check_arrival(phone: Phone) -> None:
     story = phone.page.locator(places[0])
 
     def check_visible() -> None:
-        expect(phone.page.get_by_text("the machine’s hand gains one full turn")).to_be_in_viewport(ratio=1)
+        expect(phone.page.get_by_text("Each clock hand turns once in a period")).to_be_in_viewport(ratio=1)
         boxes = [phone.box(each) for each in places]
         assert all(a["y"] + a["height"] <= b["y"] + 1 for a, b in pairwise(boxes))
         assert boxes[-1]["y"] + boxes[-1]["height"] <= phone.page.viewport_size["height"]

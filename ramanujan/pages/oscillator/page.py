@@ -16,14 +16,13 @@ from ramanujan.derivation.numbers import Numbers, state_numbers
 from ramanujan.derivation.rows import Row, align, align_for_phone
 from ramanujan.figures.oscillator_page import NEAR_MARK
 from ramanujan.pages.oscillator import cache, shared_with_file, story
-from ramanujan.pages.oscillator.story import turns_gained
 from ramanujan.shell import display_mode, drawings, first_run, menu, sidebar, stages, theme, widgets
 from ramanujan.shell.display_mode import slide
 from ramanujan.shell.sections import cubes
 from ramanujan.text.numerals import filled, number
 from ramanujan.text.translation import _
 
-# Two frequencies with a smaller relative difference are considered equal.
+# Two squared frequencies with a smaller relative difference are considered equal.
 _ROUNDING_ERROR = 1e-12
 # The largest number of lines of numbers that a slide has beside its equations.
 _NUMBERS_BESIDE = 2
@@ -199,15 +198,11 @@ def describe_machine() -> None:
 
 
 def compare_with_plain_mass(machine: Oscillator) -> str:
-    """Compare a machine with the plain mass: in step, or a full turn apart after a number of periods."""
-    gain = float(turns_gained(machine.mass_ratio))
-    if abs(gain) < _ROUNDING_ERROR:
+    """Compare a machine with the plain mass: in step, faster or slower. How much is below the clock."""
+    difference = machine.normalized_frequency_squared - 1
+    if abs(difference) < _ROUNDING_ERROR:
         return _("It is in step with the plain mass.")
-    if gain > 0:
-        sentence = _("It is faster than the plain mass: its clock hand gains one full turn in {turns:3} periods.")
-    else:
-        sentence = _("It is slower than the plain mass: its clock hand loses one full turn in {turns:3} periods.")
-    return filled(sentence, turns=1 / abs(gain))
+    return _("It is faster than the plain mass.") if difference > 0 else _("It is slower than the plain mass.")
 
 
 def set_clicked_ratio(point: dict[str, float]) -> None:

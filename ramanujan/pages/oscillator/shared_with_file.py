@@ -3,8 +3,6 @@
 from ramanujan.figures.oscillator_page import FrequencyCurve
 from ramanujan.number_theory import smallest_taxicab, sums_of_two_cubes
 from ramanujan.pages.oscillator import cache
-from ramanujan.pages.oscillator.story import turns_gained
-from ramanujan.text.numerals import number
 from ramanujan.text.translation import _
 
 CURVE_HEADING = _("When is it in step with the plain mass?")
@@ -20,11 +18,10 @@ STEPS_HEADING = _("The derivation in six steps")
 
 def question() -> str:
     """Return the question of the page in Markdown. It compares the machine with the plain mass."""
-    sentences = _(
-        "With m′ = m, the machine’s hand gains one full turn on the plain mass’s in {periods} periods (oscillations). "
+    return _(
+        "Each clock hand turns once in a period (oscillation): one for the machine, one for the plain mass. "
         "**Which m′ keeps them in step?**"
     )
-    return sentences.format(periods=number(1 / float(turns_gained(1.0)), 2))
 
 
 def reason() -> str:

@@ -66,10 +66,10 @@ def make_story() -> tuple[Scene, ...]:
     lost_in_move = -turns_in_scene(lighter)
     lost = math.ceil(lost_in_move + lost_per_period)
     wait = (lost - lost_in_move) / lost_per_period
-    heavy = _("Heavy rollers: in {periods} periods the machine falls one full turn behind.")
+    heavy = _("Heavy rollers: the machine falls behind quickly.")
     ahead = (
         Scene(_("Still lighter: now the machine is faster."), _moving_ratios(UNIT_MASS_RATIO, 1.0), 1.2),
-        _still_scene(_("Equal masses: in {periods} periods the machine gains one full turn."), 1.0, 3),
+        _still_scene(_("Equal masses: the machine gains slowly."), 1.0, 3),
         Scene(_("Heavier again: the machine slows down."), _moving_ratios(1.0, _TOO_HEAVY), 1.5),
     )
     back = Scene(
@@ -85,9 +85,7 @@ def make_story() -> tuple[Scene, ...]:
         lighter,
         _still_scene(_("Here both hands turn together."), UNIT_MASS_RATIO, 2),
         *ahead,
-        _still_scene(
-            _("Too heavy: in {periods} periods the machine falls one full turn behind."), _TOO_HEAVY, too_heavy_periods
-        ),
+        _still_scene(_("Too heavy: the machine falls behind again."), _TOO_HEAVY, too_heavy_periods),
         back,
     )
 
@@ -143,9 +141,8 @@ def turns_in_scene(scene: Scene) -> float:
 
 
 def _still_scene(sentence: str, ratio: float, periods: float) -> Scene:
-    """Return a scene with a constant machine. Its sentence contains the time until the hands are a full turn apart."""
-    periods_until_apart = 1 / abs(float(turns_gained(ratio))) if ratio != UNIT_MASS_RATIO else math.inf
-    return Scene(sentence.format(periods=number(periods_until_apart, 2)), (ratio, ratio), periods)
+    """Return a scene with a constant machine."""
+    return Scene(sentence, (ratio, ratio), periods)
 
 
 def _moving_ratios(start: float, end: float) -> tuple[float, ...]:
