@@ -31,6 +31,7 @@ from ramanujan.figures import MASS_RATIO
 from ramanujan.pages.speed import downsampling
 from ramanujan.pages.speed.downsampling import SampledRun
 from ramanujan.physics.integrators import METHODS
+from ramanujan.shell.shared_cache import responsive
 from ramanujan.text.translation import _
 
 
@@ -68,9 +69,14 @@ def run(method: str, steps: int) -> SampledRun:
 
 def parts_of_diagram() -> list[Callable[[], object]]:
     """Return functions without arguments that fill the caches of the diagram part by part."""
-    parts: list[Callable[[], object]] = [partial(diagram_curve, *curve) for curve in _CURVES]
+    parts: list[Callable[[], object]] = [partial(_compute_curve, *curve) for curve in _CURVES]
     parts += [partial(_step_seconds, *curve) for curve in _CURVES]
     return [*parts, closed_form]
+
+
+def _compute_curve(method: str, dtype: str) -> None:
+    with responsive():
+        diagram_curve(method, dtype)
 
 
 def diagram() -> list[WorkPrecision]:
