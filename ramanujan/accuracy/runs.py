@@ -37,7 +37,6 @@ class History:
     Parameters
     ----------
     method : name in METHODS
-    dtype : "float32" or "float64"
     q : φ divided by its amplitude
     phase_error : as in the module docstring [rad]
     energy_error : as in the module docstring, relative to the energy
@@ -45,22 +44,20 @@ class History:
     """
 
     method: str
-    dtype: str
     q: np.ndarray
     phase_error: np.ndarray
     energy_error: np.ndarray
     evaluations: int
 
 
-def error_history(method: str, steps_per_period: int, periods: int, dtype: str = "float64") -> History:
-    """Return one run with its errors, which are the same for all machines.
+def error_history(method: str, steps_per_period: int, periods: int) -> History:
+    """Return one run in float64 with its errors, which are the same for all machines.
 
     Parameters
     ----------
     method : name in METHODS
     steps_per_period : n ≥ 3, where h = 2π/n in units of 1/Ω
     periods : duration of the run, a whole number of periods
-    dtype : "float32" or "float64"
 
     Returns
     -------
@@ -70,8 +67,8 @@ def error_history(method: str, steps_per_period: int, periods: int, dtype: str =
     800
     """
     n = steps_per_period
-    start = np.ones(1, dtype), np.zeros(1, dtype)
-    h = np.array([2 * np.pi / n], dtype)
+    start = np.ones(1), np.zeros(1)
+    h = np.array([2 * np.pi / n])
     steps = np.array([n * periods])
     with np.errstate(over="ignore", invalid="ignore"):
         states = [np.ones(1, complex)]
@@ -85,7 +82,6 @@ def error_history(method: str, steps_per_period: int, periods: int, dtype: str =
         energy_error = s.real**2 + s.imag**2 - 1
     return History(
         method=method,
-        dtype=dtype,
         q=s.real,
         phase_error=phase_error,
         energy_error=energy_error,
@@ -118,8 +114,9 @@ def run_in_blocks(
     10 (10, 2)
     20 (10, 1)
     """
-    # A single run is computed with numbers instead of arrays: the same bits, but much faster.
-    arguments = map(_convert_to_number, (*start, h)) if h.size == 1 else (*start, h)
+    # A single run in float64 is computed with numbers instead of arrays: the same bits, but much faster.
+    is_single = h.size == 1 and h.dtype == float
+    arguments = (array.item() for array in (*start, h)) if is_single else (*start, h)
     states = trajectory(method, lambda q: -q, *arguments)
     done = 0
     for ended_runs, last_step in enumerate(steps.tolist()):
@@ -132,11 +129,6 @@ def run_in_blocks(
                     q[row], v[row] = q_row, v_row
             yield np.arange(done + 1, done + rows + 1), q[..., ended_runs:], v[..., ended_runs:]
             done += rows
-
-
-def _convert_to_number(array: np.ndarray) -> float | np.floating:
-    """Convert an array with one element to a number of the same dtype."""
-    return array.item() if array.dtype == float else array.ravel()[0]
 
 
 def seconds_per_step(method: str, dtype: str = "float64") -> float:

@@ -24,7 +24,7 @@ class SampledRun:
 
     Parameters
     ----------
-    method, dtype, steps, periods : arguments of the integration
+    method, steps, periods : arguments of the integration
     per_period : number of samples in a period
     q : φ divided by its amplitude at the samples, with the start, shape (periods·per_period + 1,)
     times : times of the points of the error curves [periods], shape (points,)
@@ -35,7 +35,6 @@ class SampledRun:
     """
 
     method: str
-    dtype: str
     steps: int
     periods: int
     per_period: int
@@ -79,7 +78,6 @@ def downsample(history: History, steps: int, periods: int) -> SampledRun:
     phase = np.fmax.accumulate(np.abs(history.phase_error))
     return SampledRun(
         method=history.method,
-        dtype=history.dtype,
         steps=steps,
         periods=periods,
         per_period=steps // stride,

@@ -59,15 +59,14 @@ def describe_errors(run: SampledRun) -> str:
     """Name a run, and state its error at the end and whether it is visible."""
     energy_error = float(np.max(run.energy))
     sentence = ngettext(
-        "**{method}, {steps} steps per period, {precision}:** in one period the force was evaluated {cost} times.",
-        "**{method}, {steps} steps per period, {precision}:** in {n} periods the force was evaluated {cost} times.",
+        "**{method}, {steps} steps per period:** in one period the force was evaluated {cost} times.",
+        "**{method}, {steps} steps per period:** in {n} periods the force was evaluated {cost} times.",
         run.periods,
     )
     evaluated = filled(
         sentence,
         method=METHODS[run.method].title,
         steps=run.steps,
-        precision=run.dtype,
         n=run.periods,
         cost=number(run.evaluations, 3),
     )

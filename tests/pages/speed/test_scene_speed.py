@@ -46,8 +46,8 @@ def words(app: AppTest) -> str:
     return " ".join(element.value for kind in (app.markdown, app.caption, app.header) for element in kind)
 
 
-def one_run(method: str, steps: int, periods: int, dtype: str = "float64") -> downsampling.SampledRun:
-    return downsampling.downsample(error_history(method, steps, periods, dtype), steps, periods)
+def one_run(method: str, steps: int, periods: int) -> downsampling.SampledRun:
+    return downsampling.downsample(error_history(method, steps, periods), steps, periods)
 
 
 # ---- the page
@@ -74,7 +74,7 @@ def test_every_slide_has_a_heading_of_its_own(app, monkeypatch):
 @pytest.mark.parametrize(("method", "steps"), [("explicit_euler", "3"), ("velocity_verlet", "3"), ("yoshida6", "192")])
 def test_the_ends_of_every_option_are_shown(app, method, steps):
     page(app, method=method, steps=steps, error="energy")
-    assert f"**{METHODS[method].title}, {steps} steps per period, float64:**" in words(app)
+    assert f"**{METHODS[method].title}, {steps} steps per period:**" in words(app)
     # hΩ = 2π/3 is above Verlet's limit of 2.
     assert ("**unstable here**" in words(app)) == (method == "velocity_verlet")
     if method == "explicit_euler":
