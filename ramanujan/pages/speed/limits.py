@@ -30,8 +30,8 @@ def draw_forms() -> list[Sweep]:
     st.header(_("Very large and small numbers"), anchor=False)
     sentence = _(
         "Each strip is a formula for Ω², from very light bodies on the left to very heavy ones. On paper all {count} "
-        "are equal. In a computer the square of a large mass overflows, and that of a small mass becomes 0: where a "
-        "strip is dark, Ω² is wrong."
+        "are equal. In a computer the square of a large mass overflows, and that of a small mass becomes 0: there Ω² "
+        "is wrong."
     )
     st.markdown(filled(sentence, count=len(FORMS)))
     place = st.container(key="place_forms")
