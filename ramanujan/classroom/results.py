@@ -26,7 +26,8 @@ def find_stop(name: str) -> Stop:
 def write_csv(results: Iterable[ClassResult]) -> str:
     """Return the results of a class as a CSV file for spreadsheets, with one row for each option.
 
-    Times are UTC. The last column is empty if the class voted once.
+    Times are UTC. The last column is empty if the class voted once. An option that only another version of the app has
+    appears with its id.
     """
     header = (
         pgettext("of the lesson", "Stop"),
@@ -44,6 +45,6 @@ def write_csv(results: Iterable[ClassResult]) -> str:
         asked_at = f"{datetime.fromtimestamp(result.at, UTC):%Y-%m-%d %H:%M:%S}"
         for option, first in result.first.items():
             second = "" if result.second is None else result.second[option]
-            is_right = option == stop.right
-            rows.append((stop.heading, asked_at, result.present, stop.options[option], is_right, first, second))
+            label, is_right = stop.options.get(option, option), option == stop.right
+            rows.append((stop.heading, asked_at, result.present, label, is_right, first, second))
     return spreadsheet(rows)

@@ -26,8 +26,8 @@ from ramanujan.text.translation import _
 
 _TARGETS = tuple(Fraction(p, q) for p, q in ((1, 2), (2, 3), (3, 4), (4, 5), (9, 8), (5, 4), (4, 3), (3, 2)))
 _STOPS = 4
-_REVEALED = ("block",)
-"""Stops whose answer the derivation on the worksheet reveals: the sign of X."""
+_OMITTED = ("block", "huge-ratio")
+"""Stops without a question on paper. The derivation reveals the sign of X, and an overflow is not physics."""
 _STEPS = ("velocities", "inertia", "energies", "lagrangian", "motion", "elimination", "insertion", "frequency")
 """The steps of the route of Euler and Lagrange that become questions."""
 _ADDITIONS = {"energies": _("Give $U$ as a function of the compression $x$ first, then of $\\varphi$.")}
@@ -79,7 +79,7 @@ def make_questions(machine: Oscillator, seed: str, level: int = 1) -> tuple[Work
     True
     """
     source = random.Random(seed)
-    chapters = [[stop for stop in chapter if stop.id not in _REVEALED] for chapter in CHAPTERS]
+    chapters = [[stop for stop in chapter if stop.id not in _OMITTED] for chapter in CHAPTERS]
     # Stops of one chapter answer each other, so each selected chapter contributes one.
     selected = sorted(source.sample(range(len(chapters)), _STOPS))
     stops = [source.choice(chapters[i]) for i in selected]

@@ -18,10 +18,13 @@ from ramanujan.text.translation import _
 
 PHONE_INTERVAL = 2.5
 """Interval at which a phone reads the state of the class [s]."""
-HIDDEN_DRAWER = """<style>@media (width < 1000px) {
-  :root:root:root { --drawer: 0px; --drawer-content: none; .st-key-bar { display: none; } }
-}</style>"""
-"""A style rule that hides drawer and bar on a student's phone. In page.css it would need :has(), which is slow."""
+ONLY_THE_QUESTION = """<style>
+  :root:root:root { --drawer: 0px; --drawer-content: none; --bar: 0px; .st-key-bar, header, nav { display: none; } }
+</style>"""
+"""A style rule that hides drawer, bar and page links from a student, who can leave the class.
+
+In page.css it would need :has(), which is slow.
+"""
 _DRAWN = "class_drawn"
 """Session state: the stop whose machine the phone shows, and whether the machine runs."""
 _OPEN = "class_is_open"
@@ -51,7 +54,7 @@ def _draw_student_page(seat: Seat, show: Callable[..., None]) -> None:
     st.session_state[_DRAWN] = visible
     st.session_state[_OPEN] = view is not None
     with st.container(key="class_phone"):
-        st.html(HIDDEN_DRAWER)
+        st.html(ONLY_THE_QUESTION)
         above = st.container()
         # Call the fragment before the machine is drawn, because a rerun may interrupt this run before its end.
         _draw_live_question()
@@ -159,7 +162,7 @@ def _own_vote_sentence(stop: Stop, view: ClassView) -> str:
 
 
 def _draw_open_vote(stop: Stop, question: ClassQuestion) -> None:
-    """Draw the options of an open question, with a confirmation at the student's answer."""
+    """Draw the options of an open question, with a confirmation above them."""
     chosen = question.answer
     if question.vote.is_second:
         st.markdown(_("**Second vote.** Talk to your neighbours, then answer again."))
@@ -168,19 +171,15 @@ def _draw_open_vote(stop: Stop, question: ClassQuestion) -> None:
     if st.session_state.get(key) != chosen:
         st.session_state[key] = chosen
     confirmation = _("Your answer counts. You can still change it.")
-    captions = None
-    if chosen:
-        caption = f":green[:material/check_circle: {confirmation}]"
-        captions = [caption if option == chosen else "" for option in stop.options]
     st.radio(
-        _("Your answer"),
+        f":green[:material/check_circle: {confirmation}]" if chosen else _("Your answer"),
         list(stop.options),
         index=None,
         format_func=shared_elements.add_letters(stop).__getitem__,
-        captions=captions,
         key=key,
         on_change=_vote,
         args=(key, stop.id, question.vote),
+        width="stretch",
     )
     draw_error()
 

@@ -18,6 +18,7 @@ from ramanujan.text.numerals import quantity
 from ramanujan.text.translation import _, ngettext
 
 RESULTS_HEADING = _("What the class has learned")
+MISTAKE = _("**You may have thought:** *{label}* {reply}")
 
 
 def add_letters(stop: Stop) -> dict[str, str]:
@@ -54,6 +55,12 @@ def show(code: str, stop: Stop, vote: Vote, is_solved: bool, chosen: str | None 
         st.warning(str(error))
         return
     right = stop.right if is_solved else None
+    letters = add_letters(stop).items()
+    labels = {option: _mark_label(label, option == right, option == chosen) for option, label in letters}
+    if not any(sum(votes.values()) for votes in all_votes):
+        draw_options(labels)
+        st.markdown(_("Nobody has voted."))
+        return
     # In a narrow chart the style sheet shows the names of the votes in the bars instead of the headings.
     templates = (_("*First vote:* {share}"), _("*Second vote:* {share}")) if vote.is_second else ("{share}",)
     with st.container(key="class_result"):
@@ -64,8 +71,8 @@ def show(code: str, stop: Stop, vote: Vote, is_solved: bool, chosen: str | None 
                 headings = st.columns(_widths(all_votes), gap="small")[1:]
                 for heading, name in zip(headings, (_("First vote"), _("Second vote")), strict=True):
                     heading.markdown(f"**{name}**")
-        for option, text in add_letters(stop).items():
-            _draw_option(option, _mark_label(text, option == right, option == chosen), all_votes, templates)
+        for option, label in labels.items():
+            _draw_option(option, label, all_votes, templates)
 
 
 def draw_answer(code: str, stop: Stop, vote: Vote) -> None:
@@ -78,19 +85,19 @@ def draw_answer(code: str, stop: Stop, vote: Vote) -> None:
     except ClassError as error:
         st.warning(str(error))
         return
-    labels = add_letters(stop)
+    # A sentence follows each label, and some labels have no full stop.
+    labels = {option: label.removesuffix(".") + "." for option, label in add_letters(stop).items()}
     mistake = find_commonest_mistake(code, stop, vote)
-    with st.container(key="wall_shares"):
-        for option, column in zip(stop.options, st.columns(len(stop.options), gap="small"), strict=True):
-            letter = f"**{labels[option].partition('.')[0]}**"
-            mark = f":green[:material/check_circle:] {letter}" if option == stop.right else letter
-            _draw_share(column, all_votes[-1], option, f"{mark} {{percent}}")
+    if sum(all_votes[-1].values()):
+        with st.container(key="wall_shares"):
+            for option, column in zip(stop.options, st.columns(len(stop.options), gap="small"), strict=True):
+                letter = f"**{labels[option].partition('.')[0]}**"
+                mark = f":green[:material/check_circle:] {letter}" if option == stop.right else letter
+                _draw_share(column, all_votes[-1], option, f"{mark} {{percent}}")
     with st.container(key="wall_reason"):
         st.markdown(f"{_mark_label(labels[stop.right], is_right=True, is_own=False)} {stop.explanation()}")
         if mistake:
-            sentence = _("**You may have thought:** *{label}* {reply}")
-            label = labels[mistake].removesuffix(".") + "."
-            st.markdown(sentence.format(label=label, reply=stop.reply(mistake)))
+            st.markdown(MISTAKE.format(label=labels[mistake], reply=stop.reply(mistake)))
 
 
 def _widths(votes: Sequence[object]) -> list[int]:
@@ -122,7 +129,8 @@ def _result(code: str, stop: str, vote: Vote) -> tuple[Sequence[Mapping[str, int
     final, so it is cached.
     """
     votes_so_far = [vote._replace(number=number) for number in range(1, vote.number + 1)]
-    distributions = [shared().read_distribution(code, stop, earlier) for earlier in votes_so_far]
+    # A class may have voted under another version of the app, with other options.
+    distributions = [Counter(shared().read_distribution(code, stop, earlier)) for earlier in votes_so_far]
     if not vote.is_second:
         return distributions, Counter()
     right = find_stop(stop).right
@@ -131,26 +139,21 @@ def _result(code: str, stop: str, vote: Vote) -> tuple[Sequence[Mapping[str, int
 
 def _mark_label(label: str, is_right: bool, is_own: bool) -> str:
     """Return the label of an option, marked if it is right or the student's own answer."""
-    if is_right and is_own:
-        return _(":green[:material/check_circle:] **{label}** – This is right, and it was your answer.").format(
-            label=label
-        )
-    if is_right:
-        return _(":green[:material/check_circle:] **{label}** – This is right.").format(label=label)
-    if is_own:
-        return _("{label} – *This was your answer.*").format(label=label)
-    return label
+    marked = f":green[:material/check_circle:] **{label}**" if is_right else label
+    return _("{label} – *This was your answer.*").format(label=marked) if is_own else marked
 
 
 def _share(people: int, total: int) -> str:
-    """Return the number and percentage of these voters."""
+    """Return the number and percentage of these voters; a dash if nobody voted."""
+    if not total:
+        return "–"
     # TRANSLATORS: how many chose this answer: 12 of 30, 40 %.
     return _("{people} of {total}, {share}").format(people=people, total=total, share=_percent(people, total))
 
 
 def _percent(people: int, total: int) -> str:
-    """Return the percentage of these voters."""
-    return quantity(round(100 * people / total) if total else 0, "%")
+    """Return the percentage of these voters; a dash if nobody voted."""
+    return quantity(round(100 * people / total), "%") if total else "–"
 
 
 def _draw_changes(changes: Counter[tuple[bool, bool]]) -> None:

@@ -57,8 +57,8 @@ def words(app: AppTest) -> str:
     assert not app.exception
     kinds = (app.title, app.subheader, app.markdown, app.text, app.caption, app.info, app.success, app.warning)
     bars = [element.proto.text for element in app.get("progress")]
-    captions = [caption for radio in app.radio for caption in radio.proto.captions]
-    return "\n".join([*(element.value for kind in kinds for element in kind), *bars, *captions])
+    labels = [radio.label for radio in app.radio]
+    return "\n".join([*(element.value for kind in kinds for element in kind), *bars, *labels])
 
 
 def press(app: AppTest, name: str) -> AppTest:
@@ -153,12 +153,14 @@ def test_a_second_vote_is_shown_and_downloaded(lecturer, school):
     assert STOP.explanation() in words(lecturer)
     for page in (lecturer, students[0].run()):
         assert "Wrong, then right: 2.** Right, then wrong: 1." in words(page)
-    assert "This is right, and it was your answer" in words(students[0].run())
+    right_letter = "ABCD"[list(STOP.options).index(RIGHT)]
+    right_label = f":green[:material/check_circle:] **{right_letter}. {STOP.options[RIGHT]}**"
+    assert f"{right_label} – *This was your answer.*" in words(students[0].run())
     assert STOP.explanation() in words(students[0])
     # A wrong answer first gets the reply to its option.
     assert STOP.reply(WRONG) in words(students[2].run())
     assert STOP.reply(WRONG) not in words(students[0])
-    assert "This is right." in words(students[2].run())
+    assert right_label in words(students[2].run())
     # A phone shows its own answer. Desk and wall show the most common wrong answer.
     wall = visitor(**{"class": code_of(lecturer), "wall": "on"})
     assert f"**You chose:** {LETTER}. {STOP.options[WRONG]}\\\n{STOP.reply(WRONG)}" in words(students[2])
@@ -181,6 +183,16 @@ def test_a_second_vote_is_shown_and_downloaded(lecturer, school):
         label: votes.get(option, ("0", "0", "no")) for option, label in STOP.options.items()
     }
     assert {(row["Stop"], row["Students present"]) for row in rows} == {(STOP.heading, "3")}
+
+
+def test_an_option_with_another_id_in_a_newer_version_stays_in_the_file(school):
+    opened = school.open_class()
+    school.ask(opened.key, STOP.id, ["old", *(option for option in STOP.options if option != WRONG)])
+    school.vote(school.join(opened.code), STOP.id, "old")
+    school.show(opened.key, rules.Phase.SOLVED)
+    rows = csv.DictReader(io.StringIO(write_csv(school.read_results_for_lecturer(opened.key))))
+    assert next((row["Option"], row["Votes"]) for row in rows) == ("old", "1")
+    assert STOP.options[WRONG] in words(visitor(lecturer=opened.key))
 
 
 def test_a_late_answer_gets_its_reason_and_does_not_count(lecturer, school):
@@ -220,7 +232,7 @@ def test_a_closed_vote_shows_the_own_vote_and_the_reason(lecturer):
     press(lecturer, "reveal")
     assert f"**Your answer in the first vote:** {LETTER}. {STOP.options[WRONG]}" in words(voter.run())
     assert "*First vote:* 1 of 1, 100" in words(voter)
-    assert "*Second vote:* 0 of 0, 0" in words(voter)
+    assert "*Second vote:* –" in words(voter)
 
 
 def test_only_the_button_that_moves_the_class_is_primary_and_the_end_leads_to_the_first_page(lecturer):
@@ -419,7 +431,7 @@ def test_the_desk_takes_the_class_back_view_by_view(lecturer, school):
     assert STOP.question in words(student.run())
     assert not student.radio
     press(lecturer, "reveal")
-    assert student.run().get("progress")
+    assert "Nobody has voted." in words(student.run())
     # The desk opens a stop that the class has not reached.
     lecturer.session_state["stop"] = [stop.id for stop in lesson.STOPS if stop.is_in_short_lesson][3]
     lecturer.run()

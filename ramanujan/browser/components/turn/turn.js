@@ -9,6 +9,7 @@ import { dom } from "../../streamlit_dom.js";
 
 const PAUSE = 300; // ms from the last turn until the step is sent to the server
 const TIMEOUT = 5000; // ms after which a request for a stop without an answer is dropped
+const SHORTCUTS = [["ArrowLeft", "PageUp"], ["ArrowRight", "PageDown"]]; // of the buttons back and next
 const KEYS = { ArrowRight: 1, PageDown: 1, " ": 1, ArrowLeft: -1, PageUp: -1 };
 
 /** The number of slides that a key turns by this table; 0 for any other key. */
@@ -150,6 +151,8 @@ class Stops extends Turner {
     const { now, page_keys_turn: pageKeysTurn } = this.component.data;
     // At the desk of a class, another button is primary: the one that moves the class.
     this.buttons[1].classList.toggle("primary", pageKeysTurn);
+    for (const [i, [arrow, page]] of SHORTCUTS.entries())
+      this.buttons[i].setAttribute("aria-keyshortcuts", pageKeysTurn ? `${arrow} ${page}` : arrow);
     // Ignore the answer to an earlier request.
     const isPending = this.request && performance.now() - this.request.time < TIMEOUT;
     if (isPending && now !== this.request.stop) return;
