@@ -35,6 +35,7 @@ Constant data, sent once:
     periods         number of periods in the graphs: the motion repeats after these, and both machines move as since one
                     release. Default: the motion never repeats, and at a change of the machine both hands go on from
                     where they are
+    rest_after      number of periods of the plain mass after which the motion pauses by itself; a person may play on
     label           text under the picture
     address_prefix  prefix of the stage's names in the address
     sends_view      whether the stage sends its view to the server, see `VIEW`
@@ -181,6 +182,7 @@ def settings(
     dials: bool = True,
     narrow: bool = False,
     periods: float | None = None,
+    rest_after: float | None = None,
     label: str | None = None,
     address_prefix: str = "",
 ) -> dict[str, Any]:
@@ -198,6 +200,7 @@ def settings(
     dials : show the two clock hands, their drift and the readouts beside the picture
     narrow : show these below the picture
     periods : number of periods of the graphs, after which the motion repeats; default: never
+    rest_after : number of periods of the plain mass after which the motion pauses by itself; default: never
     label : a few words under the picture, also its name for screen readers
     address_prefix : prefix of the stage's names in the address; one for each clock of a page
     """
@@ -212,6 +215,7 @@ def settings(
         "dials": dials,
         "narrow": narrow,
         "periods": periods,
+        "rest_after": rest_after,
         "label": label,
         "address_prefix": address_prefix,
     }

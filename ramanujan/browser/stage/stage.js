@@ -44,9 +44,9 @@ class Stage {
 
   constructor(component, options, signal) {
     const root = component.parentElement;
-    const { stage, watch, clock, layers, compact, dials, limits, periods } = options;
+    const { stage, watch, clock, layers, compact, dials, limits, periods, rest_after: restAfter } = options;
     Object.assign(this, { root, name: stage, clockName: clock, limits: limits.compression });
-    Object.assign(this, { compact, dials, periods });
+    Object.assign(this, { compact, dials, periods, restAngle: (restAfter ?? NaN) * TURN });
     this.layers = new Set(layers);
     this.host = root.querySelector(".stage");
     this.scrubber = root.querySelector(".scrub input");
@@ -90,7 +90,7 @@ class Stage {
     this.hide(data.hide ?? []);
     this.change(() => {
       this.data = data;
-      if (before && data.releases !== before.releases) this.playback.reset();
+      if (before && data.releases !== before.releases) this.reset();
     });
     const { computed } = data;
     const isNewRun = before && computed && computed.run !== before.computed?.run;
@@ -108,7 +108,8 @@ class Stage {
 
   /**
    * Show the view of a class's desk: its layers, its reference frame and its hands. The hands are advanced by the time
-   * since they were sent, at the desk's rates, because this stage may receive the desk's machine later. `begins`:
+   * since they were sent, at the desk's rates, because this stage may receive the desk's machine later. They rest where
+   * the desk's hands rest. `begins`:
    * whether this stage has just received its first data. A desk also receives its own view (`own`), and applies it only
    * in this case.
    */
@@ -120,11 +121,14 @@ class Stage {
     if (!this.solution || turns.length < 2 || (view.own && !begins)) return;
     const { layers, from, speed, ago } = view;
     const rates = numbersOf(view.rates);
-    const passed = ago + (performance.now() - arrivals.get(view)) / 1000;
+    const elapsed = ago + (performance.now() - arrivals.get(view)) / 1000;
+    const untilRest = (this.restAngle / TURN - turns[1]) / rates[1];
+    const rests = untilRest > 0 && elapsed >= untilRest, passed = rests ? untilRest : elapsed;
     Object.assign(this.clock, { speed, seenFrom: from });
     this.picture.show((this.layers = new Set(layers.split(","))));
     this.change(() => this.pauseAt(turns.map((turn, i) => (turn + rates[i] * passed) * TURN)));
-    this.clock.playing = rates[0] > 0 && !this.reducedMotion.matches;
+    this.clock.playing = rates[0] > 0 && !rests && !this.reducedMotion.matches;
+    if (rests) this.playback.plainPhase = this.restAngle;
     this.showClock();
   }
 
@@ -143,7 +147,7 @@ class Stage {
     this.host.classList.add("ready");
     // Controls that were hidden do not show later changes.
     this.showClock();
-    if (hidMotion !== this.parts.hides("motion")) this.playback.reset();
+    if (hidMotion !== this.parts.hides("motion")) this.reset();
   }
 
   /**
@@ -256,7 +260,10 @@ class Stage {
   }
 
   run(seconds) {
-    const reason = this.playback.advance(seconds, this.periods);
+    const untilRest = (this.restAngle - this.playback.plainPhase) / this.solution.plain;
+    const rests = untilRest > 0 && seconds >= untilRest;
+    const reason = this.playback.advance(rests ? untilRest : seconds, this.periods);
+    if (rests) this.rest();
     if (!reason) return;
     if (reason === "ended" && this.screenPeriod) return this.race(null);
     this.releaseAll();
@@ -264,8 +271,27 @@ class Stage {
     this.voice.say(WORDS[reason], { once: true });
   }
 
+  /** Pause at the moment of a question, where the hands show its answer. A person may play on. */
+  rest() {
+    this.playback.plainPhase = this.restAngle; // exact, so that the next start is not before this moment
+    this.setPlaying(false);
+  }
+
+  setPlaying(playing) {
+    this.clock.playing = playing;
+    for (const stage of this.clock.stages) stage.showClock();
+    this.keeper.send();
+  }
+
+  /** Set both hands to the start. If they rest at the moment of a question, play again. */
+  reset() {
+    const rests = this.playback.plainPhase === this.restAngle;
+    this.playback.reset();
+    if (rests && !this.reducedMotion.matches) this.setPlaying(true);
+  }
+
   release() {
-    this.change(() => this.playback.reset());
+    this.change(() => this.reset());
     this.keeper.send();
   }
 

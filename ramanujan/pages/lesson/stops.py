@@ -258,6 +258,7 @@ def draw_machines(stop: Stop, running: bool, fixed: bool) -> None:
             compact=has_several,
             dials=stop.shows_dials,
             narrow=True,
+            rest_after=stop.periods or None,
             label=run.label if running or not has_several else None,
             hide=hidden,
             **options,

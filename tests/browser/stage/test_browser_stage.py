@@ -85,6 +85,25 @@ def test_a_sentence_explains_that_k_and_equal_factors_of_both_masses_leave_the_d
         assert "one full turn in" in sentences[2]
 
 
+def test_the_motion_rests_at_the_moment_of_a_question_until_a_person_plays_on(bare):
+    picture = Picture(bare(), rest_after=0.25)
+    page, time = picture.page, "bus.last('time/oscillator')"
+    page.evaluate("setReducedMotion(false)")
+    resting = f"{time}.playing === false && {time}.periods === 0.25"
+    page.wait_for_function(resting)
+    # A new release also plays again.
+    picture.bare.put(lambda: stage.publish(stage.payload(Oscillator(), 0.08) | {"releases": 1}, name="oscillator"))
+    page.wait_for_function(f"{time}.playing")
+    page.wait_for_function(resting)
+    picture.find("root.querySelector('[data-do=play]').click()")
+    page.wait_for_function(f"{time}.playing && {time}.periods > 0.4")
+    # After a desk's release long ago the motion rests, too. After a desk has played on, it does not.
+    view = {"layers": "none", "from": "ground", "speed": 1, "rates": "0.5,0.5", "ago": 100}
+    for turns, state in (("0,0", resting), ("0.3,0.25", f"{time}.playing && {time}.periods > 50")):
+        page.evaluate("(view) => bus.publish('view/oscillator', view)", view | {"turns": turns})
+        page.wait_for_function(state)
+
+
 def test_buttons_layers_and_keys_have_the_same_effects(picture):
     """test_browser_picture measures how far they move the picture."""
     page, press = picture.page, picture.page.keyboard.press
