@@ -4,6 +4,7 @@ Before the first question it shows how to join. Then it shows the question and t
 At the end it shows the results of the class. It contains no key of the lecturer.
 """
 
+import math
 from collections.abc import Callable
 
 import streamlit as st
@@ -27,6 +28,8 @@ WALL_STYLE = (
 A style sheet for all pages would need :has(), which adds 2 s to the loading time of Motion.
 """
 
+_LETTERS = {"wide": 112, "middle": 96, "narrow": 84}
+"""Numbers of letters in a line of a wall of 16:9, 3:2 and 4:3."""
 _UNCHANGED_READS = "wall_reads"
 """Session state: the last state of the class → how often the wall has read that state again."""
 _REDRAW_AFTER = 6
@@ -75,6 +78,8 @@ def _draw(code: str, show: Callable[..., None]) -> None:
 def _draw_question(code: str, stop: Stop, question: ClassQuestion, show: Callable[..., None]) -> None:
     """Draw a question and its votes across the wall, with the machine in the same place below."""
     is_running = question.phase >= Phase.RUNNING
+    lines = "; ".join(f"--{wall}-lines: {count_lines(stop, letters)}" for wall, letters in _LETTERS.items())
+    st.html(f"<style>:root {{ {lines} }}</style>")
     with st.container(key="wall_asked" if question.phase == Phase.ASKED else "wall_result"):
         st.title(stop.heading, anchor=False)
         if question.phase == Phase.ASKED:
@@ -93,6 +98,25 @@ def _draw_question(code: str, stop: Stop, question: ClassQuestion, show: Callabl
             st.markdown(f"**{PARAMETERS['m_prime'].equation(PARAMETERS['m_prime'].value)}**")
     with container("wall", "running" if is_running else "still"):
         show(stop, is_running, fixed=True)
+
+
+def count_lines(stop: Stop, letters: int) -> int:
+    """Return the number of lines of a stop's longest text, with this number of letters in a line.
+
+    That is the question with two rows of options, or the right answer with the reply to the most common mistake.
+    """
+
+    def count(text: str) -> int:
+        return math.ceil(len(text) / letters)
+
+    mistake = shared_elements.MISTAKE
+    replies = (
+        count(mistake.format(label=label, reply=stop.reply(option)))
+        for option, label in stop.options.items()
+        if option != stop.right
+    )
+    reason = count(f"{stop.options[stop.right]} {stop.explanation()}")
+    return max(count(stop.question) + 2, reason + max(replies) + bool(stop.sliders))
 
 
 @st.fragment(run_every=class_session.VIEW_INTERVAL)
