@@ -52,6 +52,7 @@ The message, published at every change; all but the first entry are optional:
                  screen_period, the duration of a plain-mass period on the screen [s] while a new run is first shown
     slipping     the contact to mark, such as hoop_slab
     forces       the contacts, or spring, whose forces are drawn strongly; all forces have letters
+    velocities   whether the velocities are drawn without their scale, with or without their layer
     hide         the hidden parts, members of `PARTS`
     releases     a number; another number sets both hands to the start
 
@@ -100,6 +101,7 @@ def payload(
     computed: Mapping[str, Any] | None = None,
     slipping: str | None = None,
     forces: tuple[str, ...] | None = None,
+    velocities: bool | None = None,
 ) -> dict[str, Any]:
     """Return the message published at every change, without `hide` and `releases`.
 
@@ -115,6 +117,7 @@ def payload(
     slipping : the contact to mark, such as hoop_slab
     forces : the contacts, or "spring", whose forces are drawn strongly; the others are drawn faintly. All forces then
         have letters, with or without the layer of forces.
+    velocities : whether the velocities are drawn without their scale, with or without their layer
     """
     shapes = {f"beta_{name}": float(shape_factors[name]) for name in SHAPE_FACTORS}
     optional: dict[str, Any] = {
@@ -123,6 +126,7 @@ def payload(
         "computed": computed,
         "slipping": slipping,
         "forces": forces,
+        "velocities": velocities,
     }
     return {
         "parameters": {**asdict(oscillator), "compression": compression, **shapes},

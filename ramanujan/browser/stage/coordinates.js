@@ -80,12 +80,12 @@ function slabMarks(block, slab, compression, place) {
 /** R, drawn in the top roller; all three have the same radius. */
 function radiusMarks(displacement, place) {
   const [x0, y0] = place.centre.top, x = x0 + displacement;
-  const direction = (-38 * TURN) / 360; // of the line, from the vertical
-  const side = 0.24 * place.R; // distance of the label from the line
+  const direction = (-60 * TURN) / 360; // of the line, from the vertical
+  const outside = 1.42; // distance of the label from the centre, in radii; inside, it would cover the letter of the mass
   const [dx, dy] = [place.R * Math.sin(direction), place.R * Math.cos(direction)];
   return {
     R_value: { d: `M${x} ${-y0}l${dx} ${-dy}` },
-    R_label: { x: x + dx * 0.48 - side * Math.cos(direction), y: -y0 - dy * 0.48 + side * Math.sin(direction) },
+    R_label: { x: x + outside * dx, y: -y0 - outside * dy },
   };
 }
 

@@ -101,7 +101,7 @@ export function makeLayers(root) {
     if (isLayered || seenFrom === "block") measure?.();
     const origin = frameValue(FORMULAS.displacement, known, seenFrom);
     if (shown.has("traces")) set(find(".traces"), { transform: `translate(${(origin - shift) * CM})` });
-    if (shown.has("arrows")) drawArrows(known, shift);
+    if (shown.has("arrows") || data.velocities) drawArrows(known, shift);
     if (seenFrom === "block") drawRolling(known, shift);
     if (shown.has("forces") || data.forces) drawForces(known, shift);
     if (shown.has("coordinates")) drawCoordinates(find(".coordinates"), known, place, shift);
@@ -174,6 +174,7 @@ export function makeLayers(root) {
       for (const node of [find(`.${name}`), find(`[data-of=${name}]`)]) setVisible(node, shown.has(name));
     }
     if (data.forces) setVisible(find(".forces"), true);
+    if (data.velocities) setVisible(find(".arrows"), true);
     find(".machine").classList.toggle("lettered", Boolean(data.forces));
     setVisible(find(".rolling"), seenFrom === "block");
     find(".machine").classList.toggle("from-block", seenFrom === "block");
@@ -182,7 +183,7 @@ export function makeLayers(root) {
     const hasArrowsAtCentres = ["arrows", "coordinates"].some((name) => shown.has(name)) || seenFrom === "block";
     find(".machine").classList.toggle("with-forces", hasForces);
     find(".machine").classList.toggle("centred", hasForces && !data.forces && !hasArrowsAtCentres);
-    isLayered = data.forces || [...shown].some((name) => name !== "energy");
+    isLayered = data.forces || data.velocities || [...shown].some((name) => name !== "energy");
     find(".machine").classList.toggle("layered", Boolean(isLayered));
   }
   const setVisible = (node, isVisible) => node && (node.style.display = isVisible ? "" : "none");

@@ -177,7 +177,9 @@ def turn_pages(setting: Setting) -> None:
         if current_step.key == "root":
             machine = replace(machine, m_prime=UNIT_MASS_RATIO * machine.m)
     forces = named_forces(equation for step in shown_steps for equation in step.equations)
-    payload = stage.payload(machine, sidebar.compression(), forces=forces or None)
+    # The arrows belong to the step that finds the velocities; at any other step they would distract.
+    velocities = any(step.key == "velocities" for step in shown_steps) or None
+    payload = stage.payload(machine, sidebar.compression(), forces=forces or None, velocities=velocities)
     stages.publish(payload, key="beside", more=sidebar.collect_box_messages())
 
 

@@ -8,6 +8,7 @@ import pytest
 import sympy as sp
 
 from ramanujan.answers import QUESTIONS, find_question
+from ramanujan.browser import stage
 from ramanujan.derivation import ROUTES, energy_conservation
 from ramanujan.derivation.lagrangian import terms_by_part
 from ramanujan.derivation.model import machine
@@ -212,3 +213,13 @@ def test_a_typed_formula_is_displayed_as_parsed(page):
         answer(page, "potential_energy", text)
         assert typed_answer.typeset_as_parsed(text) in formulas(page), text
     assert typed_answer.typeset_as_parsed("m +") is None
+
+
+def test_the_machine_has_its_velocities_at_the_step_that_finds_them(page, monkeypatch):
+    sent, true_payload = [], stage.payload
+    monkeypatch.setattr(stage, "payload", lambda *a, **more: sent.append(more) or true_payload(*a, **more))
+    for step, is_drawn in ((1, True), (2, False)):
+        sent.clear()
+        page.session_state["step"] = step
+        page.run()
+        assert any(more.get("velocities") for more in sent) == is_drawn
