@@ -15,5 +15,6 @@ def mount(on_turned: Callable[[str], None]) -> Any:
     ----------
     on_turned : called with the name of the slide, a moment after the last of several turns; with "" for the first slide
     """
-    data = {"place": "{now} / {count}: {title}"}
+    # The closed list shows the numbers, the open one the titles, too.
+    data = {"place": "{now} / {count}\u2003\u2003\u2003{title}"}
     return mounting.mount("components/pager/pager", "pager", data, event="at", on_value=on_turned, type_example="")
