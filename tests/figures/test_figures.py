@@ -30,18 +30,18 @@ def test_a_figure_equals_plotlys_own_json() -> None:
         go.Figure(encode_figure([{"type": "scatter", "colour": "red"}], {}).to_dict())
 
 
-def letters_high(key: str) -> int:
-    """Return the height of a figure in em, from the last matching rule of the sheets."""
+def letters_high(key: str) -> float:
+    """Return the height of a figure on a wide screen in em, from the last matching rule of the sheets."""
     files = collect_files()
     rules = (files["page.css"] + files["type.css"]).decode()
     [usual] = re.findall(r"\.stPlotlyChart \{ height: calc\(var\(--high, (\d+)\)", rules)
     own = [
         high
-        for selectors, high in re.findall(r"^ *(.*) \{ --high: (\d+); \}", rules, re.MULTILINE)
+        for selectors, high in re.findall(r"^ *([^{]*) \{ --high: ([\d.]+); ", rules, re.MULTILINE)
         for part, name in re.findall(r"(\.|\*=\")st-key-(\w+)", selectors)
         if key == name or (part != "." and key.startswith(name))
     ]
-    return int([usual, *own][-1])
+    return float([usual, *own][-1])
 
 
 def check_legend(data: list[dict], layout: dict) -> None:
