@@ -19,6 +19,7 @@ from ramanujan.pages.derivation import cache
 from ramanujan.pages.derivation.normal_modes import MODES, draw_modes
 from ramanujan.shell import address, display_mode, menu, messages, sidebar, stages, theme, widgets
 from ramanujan.shell.display_mode import columns, slide
+from ramanujan.shell.pending_updates import set_widgets
 from ramanujan.shell.sections.cubes import draw_stacks
 from ramanujan.shell.sections.typed_answer import QUESTION, draw_section
 from ramanujan.shell.shared_cache import symbols
@@ -142,6 +143,12 @@ def draw_options() -> None:
         widgets.segmented_control(MASSES, _("For which masses"), on_change=keep_step_in_range, **hidden)
 
 
+def select_route(name: str) -> None:
+    """Callback: select a route and its first step."""
+    set_widgets({ROUTE.name: name})
+    select_first_step()
+
+
 def select_first_step() -> None:
     """Callback: select the first step of the new route."""
     st.session_state[STEP.name] = 1
@@ -255,7 +262,7 @@ def offer_files(setting: Setting) -> None:
 
 @st.fragment(key="results")
 def compare_routes() -> None:
-    """Draw the common result of all routes, and for each route a check mark with a link."""
+    """Draw the common result of all routes, and for each route a check mark on a button that selects it."""
     st.header(_("All routes give the same frequency"), anchor=False)
     words, formulas = columns("results")
     with formulas:
@@ -265,12 +272,16 @@ def compare_routes() -> None:
         with st.container(horizontal=True):
             for route in cache.all_routes():
                 agrees = cache.agrees(route.name)
-                st.page_link(
-                    menu.PAGES["derivation"].file,
-                    label=_("{route}, {n} steps").format(route=route.title, n=len(route.steps)),
+                is_chosen = st.button(
+                    _("{route}, {n} steps").format(route=route.title, n=len(route.steps)),
+                    key=f"select_{route.name}",
+                    type="tertiary",
                     icon=":material/check:" if agrees else ":material/close:",
-                    query_params={ROUTE.name: route.name},
+                    on_click=select_route,
+                    args=(route.name,),
                 )
+                if is_chosen:
+                    st.rerun()
         st.markdown(_("SymPy has checked that the difference between any two results is exactly 0."))
 
 
