@@ -257,7 +257,8 @@ def _name_stack(panel: Panel, end: float, colors: Mapping[str, str]) -> dict[tup
     last = len(total.values) - 1
     above = (total.values[0] + panel.range[1]) / 2
     sum_name = note(_in_ink(total), None, 0, total.values[0])
-    names = {(total.label,): sum_name | {"xanchor": "left", "yanchor": "bottom", "xshift": 6}}
+    names: dict[tuple[str, ...], dict[str, Any]] = {}
+    names[(total.label,)] = sum_name | {"xanchor": "left", "yanchor": "bottom", "xshift": 6}
     # A name above the sum takes a quarter of the time axis. The first quarter has the name of the sum.
     free_quarters = [2, 3, 1]
     floor = np.zeros_like(total.values)
