@@ -9,7 +9,6 @@ from base64 import b64encode
 from hashlib import sha256
 from html import escape
 from pathlib import Path
-from urllib.parse import urljoin
 
 import streamlit as st
 
@@ -23,11 +22,7 @@ _STREAMLIT_PRELOAD = re.compile(rb'<link\s[^>]*as="font"[^>]*>')
 _NO_SCRIPT = re.compile(rb"<noscript>.*?</noscript>", re.DOTALL)
 """Streamlit's sentence for a browser without scripts."""
 _FIRST_MODULES = ("begin", "components/services/services", "publish", "stage/stage")
-"""Modules that draw the machine and import the others."""
-_COMPONENT_SCRIPT = "BidiComponent.*.js"
-"""Streamlit's script for components. Streamlit itself requests it only when the first component arrives."""
-_IMPORT = re.compile(rb'(?:from|import) ?"(\.{1,2}/[^"]+)"')
-"""A module's import of another one, except an import that waits for an event."""
+"""Modules that draw the machine and import the others. A preload of all modules would delay these."""
 
 
 def content_security_policy() -> str:
@@ -73,24 +68,8 @@ def html(*, has_formulas: bool) -> bytes:
     page = _STREAMLIT_PRELOAD.sub("".join(preloads).encode(), page, count=1)
     # frame.js shows this sentence, too.
     page = _NO_SCRIPT.sub(f"<noscript>{_explain_scripts()}</noscript>".encode(), page, count=1)
-    # Otherwise the browser would request imported modules only after it has run Streamlit's scripts, in several rounds.
-    imports = [address for address in _collect_imports() if f'"./{address}"'.encode() not in page]
-    preloads = [f'<link rel="modulepreload" fetchpriority="low" href="./{address}">' for address in imports]
-    page = page.replace(b"</head>", "".join([*preloads, "</head>"]).encode(), 1)
     # Append the sheets to the body: Streamlit adds its rules to the head, and the later of two equal rules applies.
     return page.replace(b"</body>", "".join([*links, *scripts, "</body>"]).encode(), 1)
-
-
-def _collect_imports() -> list[str]:
-    """Return the addresses of the first modules, of Streamlit's script for components, and of all their imports."""
-    own = {f"{modules.folder_url()}/{name}": content for name, content in modules.collect_files().items()}
-    addresses = [f"{modules.folder_url()}/{name}.js" for name in _FIRST_MODULES]
-    addresses += [f"static/js/{path.name}" for path in _STREAMLIT.glob(f"static/js/{_COMPONENT_SCRIPT}")]
-    for address in addresses:  # also those that the loop appends
-        content = own.get(address) or (_STREAMLIT / address).read_bytes()
-        imports = {urljoin(address, name.decode()) for name in _IMPORT.findall(content)}
-        addresses += sorted(imports.difference(addresses))
-    return addresses
 
 
 def _explain_scripts() -> str:

@@ -2,7 +2,6 @@
 
 import gzip
 import random
-import re
 import socket
 import struct
 import time
@@ -110,16 +109,6 @@ def test_browsers_cache_files_forever(fresh):
     for wrong in (f"{place}/0000", f"{place}/{version[1:]}", f"{place}/{version}x"):
         with pytest.raises(HTTPError, match="404"):
             get(f"{fresh}/{wrong}/begin.js")
-
-
-def test_the_start_page_preloads_what_the_first_picture_imports(fresh):
-    page = get(f"{fresh}/")[1].decode()
-    paths = re.findall('rel="modulepreload" fetchpriority="low" href="./([^"]+)"', page)
-    for path in paths:
-        assert get(f"{fresh}/{path}")[0]["Content-Type"].startswith("text/javascript")
-    # One module that the stage imports by others, and Streamlit's script for components.
-    assert f"{modules.folder_url()}/stage/svg.js" in paths
-    assert any("BidiComponent" in path for path in paths)
 
 
 def test_a_page_makes_no_foreign_request_and_sends_no_referrer(fresh):
