@@ -158,9 +158,11 @@ FORMS: dict[str, Form] = {
         "(k/m)·8(7 + 6x)/(32 + x(49 + 18x)), x = m′/m ≤ 1; (k/m′)·8(6 + 7x)/(18 + x(49 + 32x)), x = m/m′ < 1",
         _scaled,
     ),
-    "effective_mass": Form(_("effective mass"), "(k/m)/(4/7 + 3ε/8 + ε/(14(7 + 6ε))), ε = m′/m", _effective_mass),
+    "effective_mass": Form(
+        _("k divided by an effective mass"), "(k/m)/(4/7 + 3ε/8 + ε/(14(7 + 6ε))), ε = m′/m", _effective_mass
+    ),
     "partial_fractions": Form(
-        _("partial fractions"), "(k/m)·(7/4)/(1 + 21ε/32 + 1/(48 + 56/ε)), ε = m′/m", _partial_fractions
+        _("split into simple fractions"), "(k/m)·(7/4)/(1 + 21ε/32 + 1/(48 + 56/ε)), ε = m′/m", _partial_fractions
     ),
     "integers": Form(
         _("exact integers"),

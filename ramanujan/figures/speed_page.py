@@ -135,7 +135,7 @@ def draw_work_precision(
     tried: Sequence[tuple[float, float]] = (),
     colors: Colors,
 ) -> EncodedFigure:
-    """Draw error against cost, both logarithmic: solid with marks in float64, dotted in float32.
+    """Draw error against cost, both logarithmic: solid with marks in float64, dotted with a name in float32.
 
     Parameters
     ----------
@@ -173,8 +173,9 @@ def draw_work_precision(
         properties = {"name": name, "hovertemplate": hover, "cliponaxis": False}
         traces.append(mark | properties | {"customdata": _points([run.cost], [run.error])})
         if run.is_named:
-            anchors = {"xanchor": "left", "yanchor": "bottom", "xshift": run.size / 2}
-            notes.append(note(name, colors[run.color], np.log10(run.cost), np.log10(height)) | anchors)
+            place = np.log10(run.cost), np.log10(height)
+            notes.append(note(name, colors[run.color], *place) | _place_name(*place, ends, limits, run.size / 2))
+    notes += _name_single_precision(curves, limits, colors)
     x_range = float(np.log10(ends[0])) - 0.1, float(np.log10(ends[1])) + 0.1
     return build_figure(
         traces,
@@ -186,6 +187,36 @@ def draw_work_precision(
         yaxis=log_axis(titles[1], limits),
         yaxis2=names,
     )
+
+
+def _place_name(
+    cost: float, error: float, ends: tuple[float, float], limits: tuple[float, float], radius: float
+) -> dict[str, Any]:
+    """Return the place of a name beside its mark: below it, where no method is that cheap, or above the lower edge.
+
+    Parameters
+    ----------
+    cost, error : position of the mark, as powers of ten
+    ends, limits : of the axes
+    radius : of the mark [px]
+    """
+    left, right = np.log10(ends)
+    if error < np.log10(limits[0]) + 2:
+        return {"xanchor": "left", "yanchor": "bottom", "xshift": radius}
+    is_left = cost < left + (right - left) / 4
+    return {"xanchor": "left" if is_left else "right", "yanchor": "top", "yshift": -radius}
+
+
+def _name_single_precision(
+    curves: Mapping[tuple[str, str], CurveArrays], limits: tuple[float, float], colors: Colors
+) -> list[dict[str, Any]]:
+    """Return the name of the dotted lines above the end of the longest one, if there are any."""
+    line_ends = [(cost[-1], error[-1]) for (_name, dtype), (cost, error, _steps) in curves.items() if dtype != DOUBLE]
+    if not line_ends:
+        return []
+    cost, error = max(line_ends)
+    place = float(np.log10(cost)), float(np.log10(np.clip(error, *limits)))
+    return [note(_("7 digits"), colors["ink"], *place) | {"xanchor": "right", "yanchor": "bottom", "yshift": 3}]
 
 
 def _method_curves(

@@ -14,7 +14,7 @@ ENTRIES = {
     "derivation": Entry(derivation.URL_PARAMETERS, uses_sidebar=derivation.uses_sidebar),
     "motion": Entry(motion.URL_PARAMETERS),
     "taxicab": Entry(taxicab.URL_PARAMETERS, uses_sidebar=lambda: False),
-    "speed": Entry(speed.URL_PARAMETERS),
+    "speed": Entry(speed.URL_PARAMETERS, uses_sidebar=lambda: False),
     "lesson": Entry(
         lesson.URL_PARAMETERS,
         draw_header=lesson.draw_header,

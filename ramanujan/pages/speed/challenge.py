@@ -50,11 +50,13 @@ def draw_machine() -> None:
 
 
 def draw_verdict() -> None:
-    """Draw the verdict on the last run."""
-    if address.update(TRIES):
-        method, steps = tried_runs()[-1]
-        with st.container(key="race_result"):
+    """Draw the verdict on the last run, or before the first run what to look for."""
+    with st.container(key="race_result"):
+        if address.update(TRIES):
+            method, steps = tried_runs()[-1]
             tasks.draw_verdict(TASK, Attempt(method=method, steps=steps))
+        else:
+            st.caption(_("Press *Run*: the dashed outline of the computed machine moves over the exact machine."))
 
 
 def _add_attempt(method: str, steps: int) -> None:

@@ -39,8 +39,8 @@ def draw_costs() -> Callable[[], None]:
             st.markdown(
                 _(
                     "Choose the largest error: the ring marks the cheapest run. A run further to the right costs more, "
-                    "one further down is more accurate. Solid: float64, numbers with 16 digits; dotted: float32, with "
-                    "7."
+                    "one further down is more accurate. Solid: numbers with 16 digits (float64). Dotted: with 7 "
+                    "digits (float32)."
                 )
             )
     with controls:
@@ -102,6 +102,9 @@ def draw_diagram(by: str, tolerance: float) -> str:
         marked_runs[_("your run")] = figures.MarkedRun(
             cost=getattr(last, by), error=last.error, symbol="diamond", size=15, color="ink"
         )
+        sentence = f"{verdicts.describe_tried_run(last, tolerance)}\n\n{sentence}"
+    else:
+        sentence = " ".join((sentence, _("Each run of your own in *Race* appears in the diagram as ◆.")))
     diagram = figures.draw_work_precision(
         {(METHODS[curve.method].title, curve.dtype): downsampling.costs(curve, by) for curve in curves},
         chosen=METHODS[ranked[0].method].title if ranked else None,

@@ -16,10 +16,10 @@ from ramanujan.text.numerals import filled, number, unbroken
 from ramanujan.text.translation import _
 
 SWEEPS = {
-    "ratio_float64": _("mass ratio, float64"),
-    "ratio_float32": _("mass ratio, float32"),
-    "scale_float64": _("scale, float64"),
-    "scale_float32": _("scale, float32"),
+    "ratio_float64": _("mass ratio, 16 digits"),
+    "ratio_float32": _("mass ratio, 7 digits"),
+    "scale_float64": _("scale, 16 digits"),
+    "scale_float32": _("scale, 7 digits"),
 }
 """A key of `cache.SWEEP_VARIABLES` and a precision → the label of the sweep."""
 SWEEP = address.Choice("sweep", SWEEPS, "ratio_float64")
@@ -34,10 +34,10 @@ def draw_forms() -> list[Sweep]:
         "is wrong."
     )
     st.markdown(filled(sentence, count=len(FORMS)))
+    name = widgets.segmented_control(SWEEP, _("What is varied, and the precision"), label_visibility="collapsed")
     place = st.container(key="place_forms")
     with place, st.skeleton(height=348):
         sweeps, _solvers = cache.sweeps()
-    name = widgets.segmented_control(SWEEP, _("What is varied, and the precision"), label_visibility="collapsed")
     sweep_name, _underscore, dtype = name.partition("_")
     selected = [sweep for sweep in sweeps if sweep.sweep_name == sweep_name and sweep.dtype == dtype]
     alternative = _("What {count} forms of Ω² return, from the least value to the greatest. {findings}.")

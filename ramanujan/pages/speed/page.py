@@ -67,8 +67,7 @@ def draw_race() -> None:
     row = container("columns", "race")
     words, figure, game, about = row.container(), row.container(), row.container(key="race"), row.container()
     with words:
-        st.markdown(_("A simulation moves in small steps. Each step adds an error."))
-        st.markdown(challenge.TASK.text)
+        st.markdown(" ".join((_("A simulation moves in small steps. Each step adds an error."), challenge.TASK.text)))
     with figure:
         draw_error_growth()
     with game:

@@ -115,6 +115,22 @@ def recommend_run(choices: Sequence[Run], tolerance: float, by: str, exact: Clos
     return f"{cheapest} {closed_form}"
 
 
+def describe_tried_run(run: Run, tolerance: float) -> str:
+    """Name the visitor's own run, its cost, and whether its error is within the tolerance [turns]."""
+    if run.error > tolerance:
+        sentence = _(
+            "◆ **Your run**, {method} with {steps} steps per period, takes {cost:3} evaluations. Its error, {error:2↑} "
+            "of a turn, is too large."
+        )
+    else:
+        sentence = _(
+            "◆ **Your run**, {method} with {steps} steps per period, takes {cost:3} evaluations. Its error, {error:2↑} "
+            "of a turn, is small enough."
+        )
+    method, steps = METHODS[run.method].title, run.steps_per_period
+    return filled(sentence, method=method, steps=steps, cost=run.evaluations, error=run.error)
+
+
 def _recommend(best: Run, tolerance: float, by: str) -> str:
     """Name the cheapest run by a kind of cost, with its cost and its error."""
     if by == "seconds":

@@ -14,9 +14,13 @@ def test_a_run_is_drawn_no_control_is_cut_and_the_diagram_is_measured(visit):
     page = visit("speed?steps=8", width=900, figures=False)
     run, label = page.locator(".st-key-run button"), page.locator(".st-key-stage_race .label")
     result = page.locator(".st-key-race_result p").first
+    places = "['race', 'growth', 'race_result'].map((key) => document.querySelector(`.st-key-${key}`).offsetTop)"
+    height = "document.querySelector('.st-key-columns-race').offsetHeight"
+    reserved = page.evaluate(f"[...{places}, {height}]")
     run.click()
     expect(label).to_contain_text("Period 30 of 30: 241 evaluations", timeout=60_000)
-    expect(result).to_be_visible(timeout=60_000)
+    expect(result).to_contain_text("Not yet.", timeout=60_000)
+    assert page.evaluate(f"[...{places}, {height}]") == pytest.approx(reserved, abs=1), "nothing has jumped"
     # The slab is at x₀ + (cos Ωt − 1)(8 + 6ε)/(7 + 6ε) x₀/2; the outline has q instead of cos Ωt.
     x = "(node) => node.transform.baseVal[0].matrix.e"
     exact, computed = (

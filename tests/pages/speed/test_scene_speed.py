@@ -185,6 +185,9 @@ def test_the_challenge_judges_as_the_lesson_does_and_the_diagram_marks_each_atte
         error = error_history("rk4", steps, 30).phase_error[-1] / -math.tau
         assert marks[30 * steps * 4]["y"] == [pytest.approx(error)]
     assert marks[30 * 14 * 4]["name"] == "your run"
+    [text] = [text.value for text in app.markdown if "**Your run**" in text.value]
+    assert "14 steps per period, takes 1680 evaluations" in text
+    assert "small enough" in text
 
 
 # ---- simultaneous visitors
