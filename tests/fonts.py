@@ -12,6 +12,9 @@ scripts.
 The fonts draw symbols with KaTeX's letters: Greek letters and the prime always, single Latin letters by context. They
 use OpenType's contextual alternates. Therefore Ω²m/k looks like a formula in texts, on buttons and in figures. The text
 remains plain for screen readers, searches and copies. Letters of words, units and initials are not changed.
+
+The formulas of the standalone file are MathML. Without a font that has the table MATH, Chromium draws the bar of a root
+on its digits. Such fonts are large and rarely installed, so a small one is built from KaTeX's letters.
 """
 
 import html
@@ -19,15 +22,18 @@ import io
 import re
 import subprocess
 import sys
+import unicodedata
 from functools import cache
 from pathlib import Path
 
 import streamlit
 from fontTools import subset
 from fontTools.feaLib.builder import addOpenTypeFeaturesFromString
+from fontTools.otlLib.builder import buildMathTable
 from fontTools.pens.transformPen import TransformPen
 from fontTools.pens.ttGlyphPen import TTGlyphPen
 from fontTools.ttLib import TTFont
+from fontTools.ttLib.tables._c_m_a_p import CmapSubtable
 from fontTools.ttLib.tables.TupleVariation import TupleVariation
 from fontTools.varLib import instancer
 from fontTools.varLib.hvar import add_HVAR
@@ -71,7 +77,46 @@ feature calt {{
   }} single;
 }} calt;
 """
-PRIME = 0x2032
+PRIME, RADICAL = 0x2032, 0x221A
+ITALICS = {
+    chr(int(unicodedata.decomposition(sign).removeprefix("<font> "), 16)): sign
+    for sign in map(chr, range(0x1D434, 0x1D71C))
+    if unicodedata.name(sign, "").startswith("MATHEMATICAL ITALIC ")
+}
+"""Letter → its italic in MathML, for Latin and Greek letters and ∂."""
+MATH = {
+    "AxisHeight": 250,
+    "AccentBaseHeight": 431,
+    "FlattenedAccentBaseHeight": 664,
+    "SubscriptShiftDown": 247,
+    "SubscriptTopMax": 344,
+    "SubscriptBaselineDropMin": 50,
+    "SuperscriptShiftUp": 413,
+    "SuperscriptShiftUpCramped": 289,
+    "SuperscriptBottomMin": 108,
+    "SuperscriptBaselineDropMax": 500,
+    "SubSuperscriptGapMin": 160,
+    "SuperscriptBottomMaxWithSubscript": 344,
+    "SpaceAfterScript": 50,
+    "FractionNumeratorShiftUp": 394,
+    "FractionNumeratorDisplayStyleShiftUp": 677,
+    "FractionDenominatorShiftDown": 345,
+    "FractionDenominatorDisplayStyleShiftDown": 686,
+    "FractionNumeratorGapMin": 40,
+    "FractionNumDisplayStyleGapMin": 120,
+    "FractionRuleThickness": 40,
+    "FractionDenominatorGapMin": 40,
+    "FractionDenomDisplayStyleGapMin": 120,
+    "RadicalVerticalGap": 110,
+    "RadicalDisplayStyleVerticalGap": 148,
+    "RadicalRuleThickness": 40,
+    "RadicalExtraAscender": 40,
+}
+"""The distances in a formula of TeX and KaTeX [em/1000], by their names in the table MATH.
+
+Two are larger: SuperscriptBaselineDropMax, so that a dot does not raise an exponent, and RadicalVerticalGap, which must
+be visible on a screen with large pixels.
+"""
 COPYRIGHT_AND_LICENCE = [0, 13, 14]
 FAMILY, STYLE, FULL, POSTSCRIPT = 1, 2, 4, 6
 """Ids of a font's names."""
@@ -90,6 +135,7 @@ def main() -> None:
     icons().save(PAGE / "icons.woff2")
     for name in FONTS:
         cut_for_standalone(name).save(STANDALONE / f"{name}.woff2")
+    build_for_formulas().save(STANDALONE / "formulas.woff2")
 
 
 def cut_for_standalone(name: str) -> TTFont:
@@ -106,6 +152,71 @@ def cut_for_standalone(name: str) -> TTFont:
     cutter.subset(font)
     font.flavor = "woff2"
     return font
+
+
+def build_for_formulas() -> TTFont:
+    """Return a font with KaTeX's letters for the formulas of the standalone file, and with the table MATH."""
+    upright, italic = original_of("KaTeX_Main-Regular"), original_of("KaTeX_Math-Italic")
+    files = "".join(standalone(language) for language in ("en", *COMPLETE))
+    formulas = "".join(re.findall(r"<math.*?</math>", files))
+    # A browser replaces a symbol of one letter by its italic. Words are set in the font of the text.
+    formulas = re.sub("<mi>(.)</mi>", lambda match: ITALICS.get(match[1], match[1]), formulas)
+    characters = set(re.sub(r"<mtext>.*?</mtext>|<[^>]*>", "", formulas)) | {chr(RADICAL)}
+    font = original_of("KaTeX_Main-Regular")
+    cutter = subset.Subsetter(subset.Options(hinting=False, name_IDs=COPYRIGHT_AND_LICENCE, layout_features=[]))
+    cutter.populate(text=" ")
+    cutter.subset(font)
+    names = dict(font.getBestCmap())
+    originals = {own: (italic, letter) for letter, own in ITALICS.items()} | {
+        "ℒ": (original_of("KaTeX_Caligraphic-Regular"), "L"),
+        "𝜕": (upright, "∂"),
+        "\u0307": (upright, "˙"),
+        "\u0308": (upright, "¨"),
+    }
+    for character in sorted(characters - set(map(chr, names))):
+        source, letter = originals.get(character, (upright, character))
+        names[ord(character)] = f"u{ord(character):04X}"
+        place = RAISED if ord(character) == PRIME else ()
+        _put(font, names[ord(character)], source, source.getBestCmap()[ord(letter)], *place)
+    font["cmap"].tables = [CmapSubtable.newSubtable(12)]
+    vars(font["cmap"].tables[0]).update(platformID=3, platEncID=10, language=0, cmap=names)
+    _add_dots(font, set(re.findall("(.)([\u0307\u0308])", formulas)))
+    _add_math(font)
+    font = _reload(font)
+    font.flavor = "woff2"
+    return font
+
+
+def _add_dots(font: TTFont, pairs: set[tuple[str, str]]) -> None:
+    """Add letters with dots, and the rules that replace a letter and a combining character by one of them."""
+    names, rules = font.getBestCmap(), []
+    font["OS/2"].sxHeight = round(SCALE * MATH["AccentBaseHeight"])
+    for letter, dot in sorted(pairs):
+        base, above = names[ord(letter)], names[ord(dot)]
+        _put_dot(font, f"{base}.{above}", base, above, SLOPE if ord(letter) > 0xFFFF else 0)
+        rules.append(f"sub {base} {above} by {base}.{above};")
+    addOpenTypeFeaturesFromString(font, f"feature ccmp {{ {' '.join(rules)} }} ccmp;", ["GSUB"])
+
+
+def _add_math(font: TTFont) -> None:
+    """Add the table MATH with the larger root signs of KaTeX."""
+    root = font.getBestCmap()[RADICAL]
+    sizes = [root]
+    for name in ("KaTeX_Size1-Regular", "KaTeX_Size2-Regular"):
+        source = original_of(name)
+        sizes.append(f"{root}.{len(sizes)}")
+        _put(font, sizes[-1], source, source.getBestCmap()[RADICAL])
+    boxes = {name: font["glyf"][name] for name in [*font.getBestCmap().values(), *sizes]}
+    font.getReverseGlyphMap(rebuild=True)
+    over = {name: box.xMax - font["hmtx"][name][0] for name, box in boxes.items() if box.numberOfContours}
+    buildMathTable(
+        font,
+        constants={name: SCALE * value for name, value in MATH.items()}
+        | {"ScriptPercentScaleDown": 70, "ScriptScriptPercentScaleDown": 50},
+        # Browsers reject a table without data about letters.
+        italicsCorrections={name: excess for name, excess in over.items() if excess > 0},
+        vertGlyphVariants={root: [(name, boxes[name].yMax - boxes[name].yMin) for name in sizes]},
+    )
 
 
 @cache
@@ -230,6 +341,8 @@ def _put_dot(font: TTFont, name: str, letter: str, dot: str, slope: float) -> No
     pen.addComponent(letter, (1, 0, 0, 1, 0, 0))
     pen.addComponent(dot, (1, 0, 0, 1, round(across), up))
     glyphs[name], font["hmtx"][name] = pen.glyph(), font["hmtx"][letter]
+    if "gvar" not in font:
+        return
     # In bold text it has its letter's width: the last four deltas are those of the letter's frame.
     frames = [(each.axes, each.coordinates[-4:]) for each in font["gvar"].variations[letter]]
     font["gvar"].variations[name] = [TupleVariation(axes, [(0, 0), (0, 0), *frame]) for axes, frame in frames]

@@ -14,10 +14,11 @@ visitor who saves the page.
 import json
 import posixpath
 import re
+import unicodedata
 from base64 import b64encode
 from collections.abc import Iterable, Iterator
 from hashlib import sha256
-from html import escape
+from html import escape, unescape
 from pathlib import Path
 from string import Template
 from typing import Any
@@ -50,10 +51,13 @@ _IMPORT = re.compile(r"""(?<=(?:from |port |port\()["`])\.{1,2}/[^"`]+""")
 """The path of a module relative to the one that imports it."""
 _PLACEHOLDER = "w"
 """A letter that occurs in no formula."""
-_SIGN = re.compile("(<mrow>|<mo>&#x0003D;</mo>|<mtext>&#x000A0;</mtext>)<mo>&#x02212;</mo>")
+_SIGN = re.compile("(<mrow>|<mo>=</mo>|<mtext>\u00a0</mtext>)<mo>−</mo>")
 """A minus sign without a left operand."""
-_CAPITAL = re.compile("<mi>(&#x003A[0-9];)")
-"""A capital Greek letter, which is upright in KaTeX."""
+_SINGLE = re.compile("<mrow>(<m[ino]>[^<]*</m[ino]>)</mrow>")
+"""A row with a single symbol or number."""
+_DOTTED = re.compile("<mover><mi>(.)</mi><mo>([˙¨])</mo></mover>")
+_COMBINING = {"˙": "\u0307", "¨": "\u0308"}
+_SPACE = '<mspace width="0.167em" />'
 _NOT_ASCII = re.compile(r"[^\x00-\x7f]")
 _COMMENT = re.compile(r"^\s*//.*\n", re.MULTILINE)
 
@@ -211,26 +215,38 @@ def _convert_formulas(text: str) -> str:
 
 
 def _convert_to_mathml(latex: str) -> str:
-    """Return a formula as MathML, with large fractions. A placeholder protects m′, which the converter would split."""
+    """Return a formula as MathML in few bytes. A placeholder protects m′, which the converter would split."""
     # Chromium adds a wide space beside parentheses that can grow. These formulas do not need such parentheses.
     fixed = latex.replace(r"\left", "").replace(r"\right", "").replace(r"\mathcal L", r"\mathcal{L}")
-    converted = convert(fixed.replace(r"\frac", r"\dfrac").replace("m'", _PLACEHOLDER))
-    converted = converted.replace(f"<mi>{_PLACEHOLDER}</mi>", "<mi>𝑚′</mi>")
-    converted = converted.replace("<mo>&#x0002F;</mo>", '<mo lspace="0" rspace="0">/</mo>')
-    converted = converted.replace("<mover>", '<mover accent="true">')  # otherwise Chromium's dots are small
-    converted = _CAPITAL.sub(r'<mi mathvariant="normal">\1', converted)
-    return _SIGN.sub(r'\1<mo form="prefix">&#x02212;</mo>', converted)
+    formula = unescape(convert(fixed.replace("m'", _PLACEHOLDER)))
+    formula = _SINGLE.sub(r"\1", f"<math>{formula.partition('>')[2]}")
+    formula = formula.replace(f"<mi>{_PLACEHOLDER}</mi>", "<mi>𝑚′</mi>").replace(_SPACE, '<mspace width=".17em"/>')
+    formula = formula.replace("<mo>/</mo>", '<mo lspace="0" rspace="0">/</mo>')
+    formula = formula.replace("<mi>cos</mi>", '<mo lspace=".17em" rspace=".17em">cos</mo>')
+    # Browsers place a dot at different heights. In the file's font, a letter with its dots is one character.
+    formula = _DOTTED.sub(lambda match: f"<mi>{_find_italic(match[1])}{_COMBINING[match[2]]}</mi>", formula)
+    # Capital Greek letters are upright, as in KaTeX.
+    formula = re.sub("<mi>([Α-Ω])</mi>", r'<mi mathvariant="normal">\1</mi>', formula)
+    return _SIGN.sub(r'\1<mo form="prefix">−</mo>', formula)
+
+
+def _find_italic(letter: str) -> str:
+    """Return the italic letter that a symbol has in MathML; a capital Greek letter is upright."""
+    if "Α" <= letter <= "Ω":
+        return letter
+    kind = "SMALL" if letter.islower() else "CAPITAL"
+    return unicodedata.lookup(f"MATHEMATICAL ITALIC {kind} {unicodedata.name(letter).rpartition(' ')[2]}")
 
 
 def _write_style() -> str:
     """Return the style sheet with the colours of both themes and the fonts in it."""
     contents = modules.collect_files()
-    rules = re.findall(r"@font-face \{.*?\n\}", contents["page.css"].decode(), re.DOTALL)
-    # The file embeds its own fonts, which have the same names.
-    fonts = re.sub(r"url\(fonts/(.*?)\)", lambda match: _embed_font((_HERE / match[1]).read_bytes()), "\n".join(rules))
+    fonts = re.findall(r"@font-face \{.*?\n\}", contents["page.css"].decode(), re.DOTALL)
     light, dark = (f":root {{ {_write_colors(theme)} }}" for theme in ("light", "dark"))
     themes = f"{light}\n@media (prefers-color-scheme: dark) {{ {dark} }}"
-    style = "\n".join([fonts, themes, _read_page_css(), _write_contrast_rules()])
+    style = "\n".join([*fonts, themes, _read_page_css(), _write_contrast_rules()])
+    # The file embeds its own fonts, which have the same names as the app's.
+    style = re.sub(r"url\(fonts/(.*?)\)", lambda match: _embed_font((_HERE / match[1]).read_bytes()), style)
     # A style sheet has escapes of its own for characters; a space ends each.
     return _NOT_ASCII.sub(lambda character: f"\\{ord(character[0]):x} ", style)
 

@@ -1,6 +1,7 @@
 """The standalone file: its size, no requests, exact numbers, from disk and in a frame of another site."""
 
 import gzip
+import io
 import random
 import re
 from collections.abc import Iterator
@@ -10,8 +11,10 @@ from http.server import SimpleHTTPRequestHandler
 from pathlib import Path
 
 import mpmath
+import numpy as np
 import pytest
 import sympy as sp
+from PIL import Image
 from playwright.sync_api import Frame, Page, expect
 
 from ramanujan import UNIT_MASS_RATIO
@@ -242,6 +245,18 @@ def test_the_ring_on_the_curve_is_at_the_machine(window, file, engine):
     page.wait_for_function("Math.abs(ramanujan.last('drawn/oscillator').normalized - 1) < 1e-14")
     origin = star.evaluate("({ transform }) => (({ e, f }) => [e, f])(transform.baseVal[0].matrix)")
     assert ring.evaluate(centre) == pytest.approx(origin, abs=0.01)
+
+
+def test_the_bar_of_a_root_is_above_its_digits(window, file, engine):
+    page = opened(window(), file.as_uri())
+    page.evaluate("document.querySelector('msqrt mn').scrollIntoView({ block: 'center' })")
+    x, y, width, height = page.evaluate(box_of("document.querySelector('msqrt mn')"))
+    picture = Image.open(io.BytesIO(page.screenshot())).convert("L")
+    darkness = 255 - np.asarray(picture.crop((x, y - 8, x + width, y + height)), dtype=float).mean(axis=1)
+    bar = darkness.argmax()
+    # Between bar and digits, a row of pixels is nearly blank.
+    assert darkness[bar + 1 : bar + 4].min() < darkness[bar] / 8
+    assert darkness[bar + 4 :].max() > darkness[bar] / 4
 
 
 @pytest.mark.parametrize("engine", ["chromium"])

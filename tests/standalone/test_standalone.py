@@ -1,12 +1,15 @@
 """The standalone file without a browser: its encoding, its curve, and the command that writes it."""
 
 import re
+from html import unescape
 from pathlib import Path
 from xml.etree import ElementTree as ET
 
 import pytest
+from fontTools.ttLib import TTFont
 
 from ramanujan.standalone import __main__, html
+from tests import fonts
 from tests.checks.reference import frequency_squared
 
 
@@ -66,6 +69,15 @@ def test_each_step_of_the_derivation_has_its_reasons():
         assert sentence in reasons
         assert "<math" in results
         assert "<math" in reasons
+
+
+def test_the_font_contains_every_letter_of_the_formulas():
+    formulas = unescape("".join(re.findall("<math.*?</math>", html())))
+    italics = re.sub("<mi>(.)</mi>", lambda match: fonts.ITALICS.get(match[1], match[1]), formulas)
+    letters = set(re.sub("<mtext>.*?</mtext>|<[^>]*>", "", italics))
+    with TTFont(fonts.STANDALONE / "formulas.woff2") as font:
+        assert set(map(ord, letters)) <= font.getBestCmap().keys()
+        assert font["hmtx"][font.getBestCmap()[ord("1")]][0] == round(fonts.SCALE * 500)
 
 
 def read_curve() -> ET.Element:
