@@ -173,12 +173,17 @@ function rollerPaths(shape, R) {
   const ring = (outer, inner) => circle(outer * R) + circle(inner * R, -1);
   const meridian = `M0 ${-R}${arc(0, 0, 0.4 * R, R, 0, TURN)}z`;
   const sector = (from, to, r) => `M0 0L${r * Math.sin(from)} ${-r * Math.cos(from)}${arc(0, 0, r, r, from, to)}z`;
+  const spot = (direction, r) => {
+    const [x, y] = [0.55 * R * Math.sin(direction), -0.55 * R * Math.cos(direction)];
+    return `M${x} ${y - r}${arc(x, y, r, r, 0, TURN)}z`;
+  };
+  const spots = [1, 3, 5].map((i) => spot((i / 6) * TURN, 0.2 * R));
   const sectors = [0, 1, 2].map((i) => sector((i / 3 - 1 / 12) * TURN, (i / 3 + 1 / 12) * TURN, 0.86 * R));
   return {
     hoop: { form: ring(1, RING), mark: `M0 ${-RING * R}V${-R}`, inlay: ring(0.92, 0.86) },
     shell: { form: circle(R), mark: circle(0.9 * R) + meridian, inlay: "" },
     cylinder: { form: circle(R), mark: `M0 ${-0.5 * R}V${-R}`, inlay: sectors.join("") },
-    sphere: { form: circle(R), mark: meridian, inlay: "" },
+    sphere: { form: circle(R), mark: `M0 ${-0.5 * R}V${-R}`, inlay: spots.join("") },
   }[shape];
 }
 

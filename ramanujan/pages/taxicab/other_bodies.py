@@ -1,6 +1,7 @@
 """The section of page 4 on other bodies: options, the chosen machine, its numbers, and all forty machines."""
 
 from base64 import b64encode
+from collections.abc import Mapping
 from fractions import Fraction
 
 import streamlit as st
@@ -30,11 +31,17 @@ DEPENDENT_FRAGMENTS = ("bodies_machine", "bodies_numbers")
 def draw_other_bodies() -> None:
     """Draw options, stage, numbers and the table of all machines."""
     with slide("bodies", _("Other bodies")):
-        draw_options()
         chosen = [address.current(key) for key in URL_PARAMETERS]
         results = cache.results(*chosen)
-        # In the projector view the options need the height of the clocks.
-        stages.mount(None, key=STAGE, layers=(), dials=not display_mode.is_projector())
+        with st.container(key="bodies"):
+            words, number = st.container(key="bodies_words"), st.container(key="discriminant")
+        with words:
+            explain_bodies()
+        # Near the clock, so that both are seen at the same time.
+        with number:
+            draw_discriminant(results)
+        draw_options()
+        stages.mount(None, key=STAGE, layers=())
         publish_machine(chosen)
     with slide("forty", _("All machines")):
         table, words = st.columns([1, 1], gap="medium")
@@ -44,22 +51,39 @@ def draw_other_bodies() -> None:
             describe_machine(results)
 
 
-def draw_options() -> None:
-    """Draw the bodies, and below them the options in one row."""
-    words, bodies = st.columns(2)
-    with words:
-        st.header(_("Other bodies, other numbers"), anchor=False)
-        st.markdown(
-            _(
-                "Does 1729 come from the machine or from these bodies? Try others. A body of mass $M$ and radius $R$ "
-                "has the moment of inertia $I=\\beta MR^2$; the farther out its mass, the larger its shape factor "
-                "$\\beta$."
-            )
+def explain_bodies() -> None:
+    """Draw the bodies, and explain what distinguishes them."""
+    st.header(_("Other bodies, other numbers"), anchor=False)
+    st.markdown(
+        _(
+            "Does 1729 come from the machine or from these bodies? Try others. A body of mass $M$ and radius $R$ "
+            "has the moment of inertia $I=\\beta MR^2$; the farther out its mass, the larger its shape factor "
+            "$\\beta$."
         )
-    bodies.html(bodies_html(theme.colors()["block"]))
+    )
+    st.html(bodies_html(theme.colors()["block"]))
+
+
+def draw_options() -> None:
+    """Draw the options in one row."""
     for column, parameter in zip(st.columns(3, gap="small"), URL_PARAMETERS, strict=True):
         with column:
-            widgets.segmented_control(parameter, PLACE_WORDS[parameter.name])
+            widgets.segmented_control(parameter, PLACE_WORDS[parameter.name], on_change=bring_into_step)
+
+
+def bring_into_step() -> None:
+    """Callback: set the mass ratio at which the machine with the chosen bodies is in step, and release both hands."""
+    results = cache.results(*(address.current(key) for key in URL_PARAMETERS))
+    sidebar.request_ratio(results.ratio)
+    stages.release()
+
+
+def draw_discriminant(results: cache.Results) -> None:
+    """Draw the number that replaces 1729, its sums of two cubes, and the mass ratio that leads to it."""
+    st.html(f"<div role='status'>{results.machine.discriminant}</div>")
+    st.markdown(f"$={results.cubes}$" if results.cubes else _("no sum of two cubes"))
+    st.markdown(_("in step at $\\varepsilon={ratio}$").format(ratio=in_latex(f"{results.ratio:.7g}")))
+    st.button(_("Set this mass ratio"), key="own_ratio", on_click=bring_into_step)
 
 
 @st.fragment(key="bodies_machine")
@@ -82,13 +106,20 @@ def describe_machine(results: cache.Results) -> None:
     st.latex(cache.aligned(results.quadratic, rf"\varepsilon = {results.root}", results.square))
     st.markdown(describe_cubes(results))
     describe_current_masses(machine)
-    with st.expander(_("The discriminant of the number field")):
-        st.markdown(_describe_field(machine))
-    with st.container(horizontal=True):
-        st.button(_("Set this mass ratio"), key="own_ratio", on_click=sidebar.request_ratio, args=(results.ratio,))
-        st.button(
-            _("Back to the paper’s bodies"), key="paper_bodies", on_click=st.session_state.update, args=(PAPER_BODIES,)
+    with st.expander(_("Does the number depend on how the ratio is written?")):
+        sentence = _(
+            "If $\\varepsilon$ is multiplied by a fraction, its new equation has another discriminant. The two differ "
+            "only by a square factor. What all of them share is called the *field discriminant*; here it is "
+            "**{field}**."
         )
+        st.markdown(sentence.format(field=machine.field_discriminant))
+    st.button(_("Back to the paper’s bodies"), key="paper_bodies", on_click=choose_bodies, args=(PAPER_BODIES,))
+
+
+def choose_bodies(bodies: Mapping[str, str]) -> None:
+    """Callback: choose a body for each place, and bring the machine into step."""
+    st.session_state.update(bodies)
+    bring_into_step()
 
 
 @st.fragment(key="bodies_numbers")
@@ -119,21 +150,6 @@ def describe_cubes(results: cache.Results) -> str:
     discriminant = str(results.machine.discriminant)
     factors = "" if results.factors == discriminant else f" $={results.factors}$"
     return filled(sentence, number=f"**{discriminant}**{factors}", cubes=results.cubes, n=ways)
-
-
-def _describe_field(machine: BodyChoice) -> str:
-    """State the discriminant of the number field of the mass ratio."""
-    if machine.field_discriminant == machine.discriminant:
-        sentence = _(
-            "The field $\\mathbb{{Q}}(\\varepsilon)$ has the same discriminant. This number does not change if "
-            "$\\varepsilon$ is multiplied by any fraction."
-        )
-    else:
-        sentence = _(
-            "The field $\\mathbb{{Q}}(\\varepsilon)$ has the discriminant **{field}**. This number does not "
-            "change if $\\varepsilon$ is multiplied by any fraction."
-        )
-    return sentence.format(field=machine.field_discriminant)
 
 
 def draw_all_machines(chosen: BodyChoice) -> None:
@@ -177,7 +193,7 @@ def select_clicked_machine(point: dict[str, float]) -> None:
     # Ignore a message with a point outside of the figure.
     if index < len(cache.machines()):
         machine = cache.machines()[index]
-        st.session_state.update(zip(PLACES, machine.bodies, strict=True))
+        choose_bodies(dict(zip(PLACES, machine.bodies, strict=True)))
 
 
 def machine_name(machine: BodyChoice) -> str:
@@ -191,7 +207,7 @@ def bodies_html(color: str) -> str:
     """Return all bodies with their names and shape factors β, as HTML."""
     figures = [
         f'<figure style="margin:0;min-width:98px;display:flex;gap:.4rem;align-items:center"><img width="38" height="38"'
-        f' alt="" src="{_drawing_url(body, color)}"><figcaption>{WORDS[body]}<br>β = {beta}</figcaption></figure>'
+        f' alt="" src="{_drawing_url(body, color)}"><figcaption>{WORDS[body]} <br>β = {beta}</figcaption></figure>'
         for body, beta in BODIES.items()
     ]
     row = "<div style='display:flex;flex-wrap:wrap;gap:.6rem 1rem'>{}</div>"

@@ -15,7 +15,7 @@ from ramanujan.shell.display_mode import columns, picture_and_words, slide
 from ramanujan.text.numerals import filled, number
 from ramanujan.text.translation import _
 
-P, Q = (address.Count(part, cache.LARGEST_PART) for part in ("p", "q"))
+P, Q = (address.Count(part, cache.LARGEST_PART, default) for part, default in (("p", 3), ("q", 2)))
 URL_PARAMETERS = (P, Q)
 _LAST = "last_target"
 """Session state: p and q of the last target that a machine reaches."""
@@ -55,7 +55,7 @@ def _current_results() -> cache.Results:
     try:
         results = cache.results(*PAPER.bodies, address.current(P), address.current(Q))
     except ValueError:
-        return cache.results(*PAPER.bodies, *st.session_state.get(_LAST, (1, 1)))
+        return cache.results(*PAPER.bodies, *st.session_state.get(_LAST, (P.default, Q.default)))
     target = results.machine.target
     st.session_state[_LAST] = (target.numerator, target.denominator)
     return results
@@ -112,21 +112,33 @@ def draw_open_question() -> None:
         st.header(_("Is there a reason?"), anchor=False)
         known, unknown = columns("reason")
         with known:
-            _state_form()
+            st.markdown(
+                _(
+                    "**Known.** With a hoop and a cylinder below, the number is always a square plus three times a "
+                    "square: $1729=41^2+3\\cdot4^2$. Such numbers are often sums of two cubes."
+                )
+            )
         with unknown:
-            _relate_form_to_cubes()
-    with slide("coincidences", _("What stays a coincidence")), unknown:
-        _state_what_is_not_known()
+            st.markdown(
+                _(
+                    "**Not known.** Why is 1729 such a sum in two ways, and even the smallest such number? The paper "
+                    "asks for “a number theoretic reason”. None is known."
+                )
+            )
+            st.markdown(
+                _(
+                    "**A coincidence?** The simplest target, 1, gives this number. If you change any one body, no sum "
+                    "of two cubes is left."
+                )
+            )
+        if not display_mode.is_projector():
+            with known, st.expander(_("Known in detail")):
+                _describe_known_form()
 
 
-def _state_form() -> None:
-    """State the known form of the discriminant."""
-    st.markdown(
-        _(
-            "**Known.** With a hoop and a cylinder as lower rollers, the discriminant always has the form $x^2+3y^2$, "
-            "whatever rolls on top. For the paper’s machine and $\\Omega^2m/k=p/q$ it is, up to a square factor:"
-        )
-    )
+def _describe_known_form() -> None:
+    """Describe the form of the discriminant, and relate it to sums of two cubes."""
+    st.markdown(_("For the paper’s machine and $\\Omega^2m/k=p/q$ the discriminant is, up to a square factor:"))
     st.latex(DISCRIMINANT)
     st.markdown(
         _(
@@ -134,30 +146,9 @@ def _state_form() -> None:
             "$=31^2+3\\cdot16^2$ $=23^2+3\\cdot20^2$ $=1^2+3\\cdot24^2$."
         )
     )
-
-
-def _relate_form_to_cubes() -> None:
-    """Relate the form to sums of two cubes."""
     st.markdown(
         _(
-            "Such numbers are often sums of two cubes: in $x^3+y^3=(x+y)(x^2-xy+y^2)$, the last factor has the same "
-            "form. Over many targets, these rollers lead to 22 such sums, any other pair to at most 12."
-        )
-    )
-
-
-def _state_what_is_not_known() -> None:
-    """State the open question, and what stays a coincidence."""
-    st.markdown(
-        _(
-            "**Not known.** Why is 1729 such a sum in two ways, and even the smallest such number? The paper asks "
-            "for “a number theoretic reason for the appearance of the number 1729”: a property of the machine from "
-            "which both sums follow."
-        )
-    )
-    st.markdown(
-        _(
-            "**What stays a coincidence.** The simplest target, 1, gives this number. If you change any one body, no "
-            "sum of two cubes is left."
+            "In $x^3+y^3=(x+y)(x^2-xy+y^2)$, the last factor has the same form. Over many targets, these rollers lead "
+            "to 22 sums of two cubes, any other pair to at most 12."
         )
     )
