@@ -23,6 +23,7 @@ from pathlib import Path
 from string import Template
 from typing import Any
 from urllib.parse import quote
+from xml.etree import ElementTree as ET
 
 from latex2mathml.converter import convert
 
@@ -39,7 +40,7 @@ from ramanujan.shell.address import URLParameter
 from ramanujan.shell.parameters import PARAMETERS, SENTENCES, WATCH, Parameter
 from ramanujan.shell.shared_cache import route
 from ramanujan.standalone import curve
-from ramanujan.text.translation import LANGUAGE, _
+from ramanujan.text.translation import LANGUAGE, _, pgettext
 
 _HERE = Path(__file__).parent
 _MARKUP = ("stage/stage", "components/exact/exact", "components/story/story")
@@ -80,6 +81,7 @@ def html() -> str:
         "curve": curve.draw_svg(first_page.curve()),
         "curve_hint": shared_with_file.CURVE_HINT,
         "steps_heading": shared_with_file.STEPS_HEADING,
+        "symbols_heading": pgettext("list of them", "Symbols"),
         "symbols": "".join(_explain_symbols()),
         "dots": escape(DOTS),
         "steps": "".join(_write_steps()),
@@ -199,7 +201,20 @@ def _write_steps() -> Iterator[str]:
 
 def _write_equations(equations: Iterable[str]) -> str:
     """Return equations in MathML, each in a box of its own."""
-    return "".join(f"<div>{_convert_to_mathml(equation)}</div>" for equation in equations)
+    return "".join(f"<div>{_split(_convert_to_mathml(equation))}</div>" for equation in equations)
+
+
+def _split(formula: str) -> str:
+    """Split a formula before its terms: a browser breaks lines between formulas, but not in one."""
+    [row] = ET.fromstring(formula)
+    terms, depth = [ET.Element("mrow")], 0
+    for part in row:
+        depth += {"(": 1, ")": -1}.get(part.text or "", 0)
+        if part.text in ("+", "−") and depth == 0 and "form" not in part.attrib:
+            part.set("form", "infix")
+            terms.append(ET.Element("mrow"))
+        terms[-1].append(part)
+    return "<wbr>".join(f"<math>{ET.tostring(term, encoding='unicode')}</math>" for term in terms)
 
 
 def _convert_bold(text: str) -> str:

@@ -259,6 +259,15 @@ def test_the_bar_of_a_root_is_above_its_digits(window, file, engine):
     assert darkness[bar + 4 :].max() > darkness[bar] / 4
 
 
+@pytest.mark.parametrize("engine", ["chromium", "firefox"])
+def test_every_formula_fits_on_a_phone(window, file, engine):
+    """A formula that is too wide breaks before a term."""
+    page = opened(window(390, 844), file.as_uri())
+    page.evaluate("document.querySelectorAll('details').forEach((details) => (details.open = true))")
+    wide = "[...document.querySelectorAll('.six_steps div')].filter((box) => box.scrollWidth > box.clientWidth)"
+    assert page.evaluate(f"{wide}.map((box) => box.textContent)") == []
+
+
 @pytest.mark.parametrize("engine", ["chromium"])
 def test_without_scripts_the_file_shows_still_pictures(browsers, file, engine):
     context = browsers(engine).new_context(java_script_enabled=False)

@@ -38,11 +38,16 @@ function leadSentence({ phase, plainPhase, periods, solution }) {
   return fill(WORDS[isInStep ? `stays_${side}` : side], { turns: fixed(distance, 2) });
 }
 
+/** Return the number of periods in which the machine gains or loses one full turn, as text. */
+export function periodsPerTurn(drift) {
+  const periods = 1 / Math.abs(drift);
+  return fixed(periods, periods < 10 ? 1 : 0);
+}
+
 /** Return a sentence about the drift: the time in which the machine gains or loses one full turn. */
 function driftSentence(drift) {
   if (nearness(drift) === "in-step") return fill(WORDS.in_step, { least: fixed(VISIBLE, 2) });
-  const periods = 1 / Math.abs(drift), rounded = periods < 10 ? fixed(periods, 1) : fixed(Math.round(periods), 0);
-  return fill(drift > 0 ? WORDS.gains : WORDS.loses, { periods: rounded });
+  return fill(drift > 0 ? WORDS.gains : WORDS.loses, { periods: periodsPerTurn(drift) });
 }
 
 export function makeDial(root) {

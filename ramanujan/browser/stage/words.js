@@ -3,7 +3,7 @@
 import { bus } from "../bus.js";
 import { debounce } from "../lasting.js";
 import { fill, fixed, number, withUnit } from "../sentences.js";
-import { driftOf } from "./dial.js";
+import { driftOf, periodsPerTurn } from "./dial.js";
 import { TURN } from "./motion.js";
 import { WORDS } from "./texts.js";
 
@@ -17,7 +17,7 @@ export function description(solution) {
   const drift = driftOf(solution);
   const period = withUnit(number(TURN / solution.Omega, 3), "s");
   if (drift === 0) return fill(WORDS.together, { period });
-  return fill(drift > 0 ? WORDS.faster : WORDS.slower, { period, turns: number(1 / Math.abs(drift), 3) });
+  return fill(drift > 0 ? WORDS.faster : WORDS.slower, { period, turns: periodsPerTurn(drift) });
 }
 
 /**
