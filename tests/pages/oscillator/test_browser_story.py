@@ -117,6 +117,17 @@ def check_story(page) -> None:
     assert (now["sentence"], now["ratio"]) == (IN_STEP, pytest.approx(UNIT_MASS_RATIO, rel=1e-15))
 
 
+def test_a_press_before_the_slider_is_drawn_begins_the_story(started):
+    page, label = started.page, f"{STORY}.querySelector('button').textContent"
+    page.evaluate("setReducedMotion(false)")
+    page.evaluate("(globalThis.slider = document.querySelector('.st-key-m_prime')).remove()")
+    page.evaluate(f"{STORY}.querySelector('button').click()")
+    next_frame(page)
+    assert page.evaluate(label) == "Bring them into step"
+    page.evaluate("document.body.append(slider)")
+    page.wait_for_function(f"{label} === 'Stop'")
+
+
 @ANY_ENGINE
 def test_the_story_is_true_at_every_moment_and_ends_in_step(started):
     page, evaluate = started.page, started.page.evaluate

@@ -16,6 +16,7 @@ export default ({ data, parentElement }, signal) => void new Story(data, parentE
 
 class Story {
   scenes = null; // of the running story
+  isWaiting = false; // for the machine and its slider, after a press
   machine = null; // parameters of the drawn machine
   lastPeriods = 0; // progress at the last frame, in periods
 
@@ -34,7 +35,11 @@ class Story {
     button.addEventListener("click", () => (this.scenes ? this.stop() : this.begin()));
     // A pointer event has no key.
     const isPress = (event) => event.composedPath().includes(button) && [undefined, " ", "Enter"].includes(event.key);
-    const interrupt = (event) => this.scenes && !isPress(event) && this.stop();
+    const interrupt = (event) => {
+      if (isPress(event)) return;
+      this.isWaiting = false;
+      if (this.scenes) this.stop();
+    };
     for (const type of ["pointerdown", "keydown"]) addEventListener(type, interrupt, { capture: true, signal });
     this.reducedMotion.addEventListener("change", () => this.scenes && this.begin(), { signal });
     signal.addEventListener("abort", () => {
@@ -49,9 +54,11 @@ class Story {
     return this.data.ratio * this.machine.m;
   }
 
+  /** Begin the story. If Streamlit has not drawn the slider yet, wait for it: an early press counts, too. */
   begin() {
     const { data: { slider, scenes }, machine, reducedMotion } = this, input = sliders.find(slider);
-    if (!machine || !input || input.disabled) return;
+    this.isWaiting = !machine || !input || input.disabled;
+    if (this.isWaiting) return void requestAnimationFrame(() => this.isWaiting && !this.signal.aborted && this.begin());
     this.stills.hidden = !reducedMotion.matches;
     if (reducedMotion.matches) return this.complete();
     sliders.move(slider, scenes[0].ratios[0] * machine.m);
