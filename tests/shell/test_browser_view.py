@@ -5,7 +5,7 @@ import re
 import pytest
 from playwright.sync_api import expect
 
-from tests.checks.browser import MOUNTED, STAGE, next_frame, script, settle, traffic, until
+from tests.checks.browser import GO, MOUNTED, STAGE, next_frame, script, settle, traffic, until, wait_for_page
 from tests.checks.layout import OVERLAPS
 from tests.checks.slow_network import Network
 
@@ -133,8 +133,18 @@ def test_a_projector_shows_one_slide_at_a_time_large_filled_and_without_scrollin
 
 
 def turn_on_a_slow_network(page, network: Network) -> None:
-    """Turn a slide. The pager sends its name after 0.4 seconds, before the app can answer a request for a page."""
+    """Turn a slide before and after a request for another page, which the app answers late.
+
+    The pager sends a slide's name after 0.4 seconds. Before the answer, it must not send it.
+    """
     network.seconds = traffic(page).late = 0.5
+    page.keyboard.press("PageUp")
+    traffic(page).begin()
+    page.evaluate(GO, "1729?view=projector")
+    page.keyboard.press("PageDown")
+    page.wait_for_function("document.querySelectorAll('[data-slide]').length > 2")
+    wait_for_page(page)
+    assert page.locator("[data-slide]").count() > 2
     page.keyboard.press("PageUp")
 
 
@@ -178,6 +188,9 @@ def check_slides(page, count: int, full: float | None) -> None:
         if slide < len(titles):
             page.locator(".st-key-pager .next").click()
             next_frame(page)
+    # The pager sends the last slide's name after 0.4 seconds.
+    page.wait_for_timeout(500)
+    settle(page)
     assert wrong == []
     page.set_viewport_size({"width": 1920, "height": 1080})
     next_frame(page)

@@ -46,9 +46,15 @@ class Pager {
     [this.back, this.next] = root.querySelectorAll("button");
     for (const [button, by] of [[this.back, -1], [this.next, 1]]) button.addEventListener("click", () => this.turn(by));
     this.list.addEventListener("change", () => this.turn(this.list.selectedIndex - this.now));
-    const sendName = () => component.setTriggerValue("at", this.now > 0 ? this.slides[this.now].name : "");
+    const name = () => (this.now > 0 ? this.slides[this.now].name : "");
+    const sendName = () => (this.isLeaving ? this.send() : component.setTriggerValue("at", name()));
     this.send = debounce(PAUSE, sendName, signal);
-    dom.watchLeaving(this.send.cancel, signal);
+    // Until the server begins the next page, Streamlit would send the name for the page before. The server would then
+    // draw the pager of that page, without the next page's content.
+    dom.watchLeaving(() => {
+      this.isLeaving = true;
+      this.send.cancel();
+    }, signal);
     // The window receives a key event last, so other elements can use the key first.
     window.addEventListener("keydown", (event) => {
       const by = turnOf(event, { PageDown: 1, PageUp: -1 });
@@ -67,7 +73,10 @@ class Pager {
     document.documentElement.dataset.pager = "";
     applyProjectorStyle(true);
     observe(document.body, { childList: true, subtree: true }, () => this.update(), signal);
-    dom.watchRuns(() => this.update(), signal);
+    dom.watchRuns(() => {
+      this.isLeaving &&= !dom.isRunning();
+      this.update();
+    }, signal);
     signal.addEventListener("abort", () => {
       bus.forget("slides");
       delete document.documentElement.dataset.pager;
@@ -129,7 +138,7 @@ class Pager {
   }
 
   turn(by) {
-    if (!this.slides[this.now + by]) return false;
+    if (!by || !this.slides[this.now + by]) return false;
     this.wanted = this.slides[this.now + by].name;
     this.show(this.now + by);
     this.send();
