@@ -70,7 +70,7 @@ function slabMarks(block, slab, compression, place) {
   return {
     x0_guide: guide(right, right + compression, y0),
     x0_value: { d: `M${right} ${-y0}h${compression}` },
-    x0_label: { x: right - 1, y: -y0 },
+    x0_label: { x: right - 1, y: -y0 - 0.7 },
     slab_guide: guide(left, end, y),
     slab_value: { d: velocityArrow(left, y, end - left, headOf(place.R)) },
     slab_label: { x: Math.max(left, end) + 1, y: -y },
@@ -99,7 +99,7 @@ function sharedMarks(displacement, place) {
 }
 
 const LABELS = {
-  X_label: "X", hoop_label: "φ", cylinder_label: "φ", top_label: "Φ", x0_label: "x₀", R_label: "R",
+  X_label: "X", hoop_label: "φ", cylinder_label: "φ", top_label: "Φ", x0_label: "x", R_label: "R",
   slab_label: WORDS.deformation, shared_label: WORDS.each,
 };
 
@@ -113,5 +113,8 @@ function makeMark(name, root) {
   const [quantity, kind] = name.split("_"), body = { X: "block", x0: "spring" }[quantity] ?? quantity;
   const data = { "data-mark": name, "data-of": quantity, style: `--of: var(--${body}-ink, var(--ink))` };
   if (kind !== "label") return element("path", { class: kind, ...data }, root);
-  return Object.assign(element("text", data, root), { textContent: LABELS[name] });
+  const text = Object.assign(element("text", data, root), { textContent: LABELS[name] });
+  // The small zero of the text font looks like an o.
+  if (name === "x0_label") element("tspan", { class: "subscript", dy: ".2em" }, text).textContent = "0";
+  return text;
 }
