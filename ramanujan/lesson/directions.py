@@ -147,10 +147,10 @@ STOPS = (
         ),
         question_numbers={"whole": 2 * _CM * COMPRESSION, "centre": _CM * COMPRESSION},
         options=dict(
-            all=_("As far as on the block."),
-            tenth=_("Less than a tenth of that."),
-            half=_("About half of that way."),
-            more=_("Farther than on the block."),
+            all=_("Exactly {centre:1 cm}."),
+            tenth=_("Less than a tenth of {centre:1 cm}."),
+            half=_("About half of {centre:1 cm}."),
+            more=_("Farther than {centre:1 cm}."),
         ),
         replies={
             "all": _(
