@@ -75,8 +75,31 @@ def show(code: str, stop: Stop, vote: Vote, is_solved: bool, chosen: str | None 
             _draw_option(option, label, all_votes, templates)
 
 
+def draw_options_with_shares(code: str, stop: Stop, vote: Vote) -> None:
+    """Draw the options as a list, each with its share in each vote. A bar behind it shows the last share."""
+    try:
+        all_votes, _changes = _result(code, stop.id, vote)
+    except ClassError as error:
+        st.warning(str(error))
+        return
+    labels = add_letters(stop)
+    totals = [sum(votes.values()) for votes in all_votes]
+    if not any(totals):
+        draw_options(labels)
+        st.markdown(_("Nobody has voted."))
+        return
+    rules = []
+    for number, (option, label) in enumerate(labels.items(), start=1):
+        percentages = [_percent(votes[option], total) for votes, total in zip(all_votes, totals, strict=True)]
+        labels[option] = f"{label} **{' → '.join(percentages)}**"
+        share = all_votes[-1][option] / max(totals[-1], 1)
+        rules.append(f".st-key-class_options li:nth-child({number}) {{ --share: {share:.1%} }}")
+    draw_options(labels)
+    st.html(f"<style>{' '.join(rules)}</style>")
+
+
 def draw_answer(code: str, stop: Stop, vote: Vote) -> None:
-    """Draw the share of each option in the last vote, the right answer, and the most common wrong one, with reasons.
+    """Draw the share of each option in the last vote, the most common mistake, and the right answer with its reason.
 
     The wall has shown the sentences of all options before. Here their letters suffice, so that the reasons are large.
     """
@@ -95,9 +118,10 @@ def draw_answer(code: str, stop: Stop, vote: Vote) -> None:
                 mark = f":green[:material/check_circle:] {letter}" if option == stop.right else letter
                 _draw_share(column, all_votes[-1], option, f"{mark} {{percent}}")
     with st.container(key="wall_reason"):
-        st.markdown(f"{_mark_label(labels[stop.right], is_right=True, is_own=False)} {stop.explanation()}")
+        # The reply ends with a question, which the reason answers.
         if mistake:
             st.markdown(MISTAKE.format(label=labels[mistake], reply=stop.reply(mistake)))
+        st.markdown(f"{_mark_label(labels[stop.right], is_right=True, is_own=False)} {stop.explanation()}")
 
 
 def _widths(votes: Sequence[object]) -> list[int]:

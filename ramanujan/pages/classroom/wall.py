@@ -28,8 +28,10 @@ WALL_STYLE = (
 A style sheet for all pages would need :has(), which adds 2 s to the loading time of Motion.
 """
 
-_LETTERS = {"wide": 112, "middle": 96, "narrow": 84}
+_LETTERS = {"wide": 112, "middle": 96, "narrow": 86}
 """Numbers of letters in a line of a wall of 16:9, 3:2 and 4:3."""
+_SHARE_LETTERS, _OPTION_MARGIN = 9, 0.7
+"""Width of an option's margins and share in the first vote, in letters, and height of its margins, in lines."""
 _UNCHANGED_READS = "wall_reads"
 """Session state: the last state of the class → how often the wall has read that state again."""
 _REDRAW_AFTER = 6
@@ -76,39 +78,47 @@ def _draw(code: str, show: Callable[..., None]) -> None:
 
 
 def _draw_question(code: str, stop: Stop, question: ClassQuestion, show: Callable[..., None]) -> None:
-    """Draw a question and its votes across the wall, with the machine in the same place below."""
+    """Draw a question and its votes across the wall, with the machine in the same place below.
+
+    The result appears in the options, which keep their places.
+    """
     is_running = question.phase >= Phase.RUNNING
-    lines = "; ".join(f"--{wall}-lines: {count_lines(stop, letters)}" for wall, letters in _LETTERS.items())
+    is_second = question.vote.is_second
+    lines = "; ".join(f"--{wall}-lines: {count_lines(stop, n, is_second)}" for wall, n in _LETTERS.items())
     st.html(f"<style>:root {{ {lines} }}</style>")
-    with st.container(key="wall_asked" if question.phase == Phase.ASKED else "wall_result"):
+    with st.container(key="wall_result" if question.phase == Phase.SOLVED else "wall_asked"):
         st.title(stop.heading, anchor=False)
-        if question.phase == Phase.ASKED:
-            st.markdown(stop.question)
-            if question.vote.is_second:
-                st.markdown(_("**Second vote.** Talk to your neighbours, then answer again."))
-            with st.container(key=f"wall_options_{len(stop.options)}"):
-                shared_elements.draw_options(shared_elements.add_letters(stop))
-        elif question.phase == Phase.SOLVED:
+        if question.phase == Phase.SOLVED:
             shared_elements.draw_answer(code, stop, question.vote)
         else:
-            # The votes fit above the machine.
-            st.markdown(shared_elements.last_sentence(stop.question))
-            shared_elements.show(code, stop, question.vote, is_solved=False)
+            st.markdown(stop.question)
+            if is_second:
+                talk = _("**Second vote.** Talk to your neighbours, then answer again.")
+                st.markdown(talk if question.phase == Phase.ASKED else _("**First vote → second vote**"))
+            with st.container(key=f"wall_options_{question.vote.number}"):
+                if question.phase == Phase.ASKED:
+                    shared_elements.draw_options(shared_elements.add_letters(stop))
+                else:
+                    shared_elements.draw_options_with_shares(code, stop, question.vote)
         if is_running and stop.sliders:
             st.markdown(f"**{PARAMETERS['m_prime'].equation(PARAMETERS['m_prime'].value)}**")
     with container("wall", "running" if is_running else "still"):
         show(stop, is_running, fixed=True)
 
 
-def count_lines(stop: Stop, letters: int) -> int:
-    """Return the number of lines of a stop's longest text, with this number of letters in a line.
+def count_lines(stop: Stop, letters: int, is_second: bool = False) -> float:
+    """Return the height of a stop's longest text, in lines with this number of letters.
 
-    That is the question with two rows of options, or the right answer with the reply to the most common mistake.
+    That is the question with the options, or the right answer with the reply to the most common mistake. In a second
+    vote, a line above the options and a second share need room.
     """
 
-    def count(text: str) -> int:
+    def count(text: str, letters: int = letters) -> int:
         return math.ceil(len(text) / letters)
 
+    letters_of_option = letters // 2 - _SHARE_LETTERS - 6 * is_second
+    labels = [count(label, letters_of_option) for label in shared_elements.add_letters(stop).values()]
+    options = sum(max(labels[first : first + 2]) + _OPTION_MARGIN for first in range(0, len(labels), 2))
     mistake = shared_elements.MISTAKE
     replies = (
         count(mistake.format(label=label, reply=stop.reply(option)))
@@ -116,7 +126,7 @@ def count_lines(stop: Stop, letters: int) -> int:
         if option != stop.right
     )
     reason = count(f"{stop.options[stop.right]} {stop.explanation()}")
-    return max(count(stop.question) + 2, reason + max(replies) + bool(stop.sliders))
+    return max(count(stop.question) + is_second + options, reason + max(replies)) + bool(stop.sliders)
 
 
 @st.fragment(run_every=class_session.VIEW_INTERVAL)

@@ -1,7 +1,6 @@
 // Returns the defects of a class's wall as sentences: texts that are too small, cut, or touch each other or a body.
 () => {
-  const LARGE = ".st-key-wall_asked, .st-key-wall_reason, .st-key-wall_shares," +
-    " .st-key-class_result > * > .stHorizontalBlock";
+  const LARGE = ".st-key-wall_asked, .st-key-wall_reason, .st-key-wall_shares";
   const roots = [document.querySelector(".st-key-class_wall")], pieces = [], bodies = [], defects = new Set();
   for (const root of roots)
     for (const { shadowRoot } of root.querySelectorAll("*")) if (shadowRoot) roots.push(shadowRoot);
