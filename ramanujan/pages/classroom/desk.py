@@ -85,9 +85,10 @@ def _draw_live_desk(stop: Stop | None, phase: Phase) -> None:
         current_phase = last_vote.phase if last_vote else Phase.ASKED
         if current_phase != phase:
             st.rerun()
-        st.markdown(f"**{_attendance_sentence(place, view)}**")
         with st.container(key="class_moves", horizontal=True, gap="small"):
             _draw_moves(key, stop, view.current, last_vote)
+        if phase == Phase.ASKED or view.current.stop != place:
+            st.markdown(f"**{_attendance_sentence(place, view)}**")
         if stop is None:
             shared_elements.draw_whole_lesson(code, view)
         elif last_vote and last_vote.phase > Phase.ASKED:

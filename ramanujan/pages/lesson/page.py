@@ -24,6 +24,8 @@ _NOTES_PER_SLIDE, _RESULTS_PER_SLIDE = 3, 9
 ENDING = _("What you have seen")
 # A style rule that hides the drawer of sliders. In page.css it would need :has(), which is slow.
 WITHOUT_DRAWER = "<style>:root:root:root { --drawer: 0px; --drawer-content: none; }</style>"
+# The sizes of clock and machine at a stop with a slider below them. See WITHOUT_DRAWER.
+_ABOVE_SLIDER = "<style>:root { @media (width >= 1000px) { --clock: 24vh; --stage-picture: 36vh; } }</style>"
 _ONWARDS = {
     "oscillator": _("Look for the ratio in step yourself, on the page Oscillator"),
     "derivation": _("Derive Ω² step by step, on the page Derivation"),
@@ -40,6 +42,7 @@ def draw_header() -> bool:
     if not (stop and stop.sliders and is_reader and stops.is_running(read_prediction(stop)[1])):
         return False
     withheld = withheld_presets()
+    st.html(_ABOVE_SLIDER)
     with st.container(key="stop_slider"):
         st.markdown(stop.sliders)
         sidebar.draw_slider("m_prime", snaps=not withheld)

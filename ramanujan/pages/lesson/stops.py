@@ -18,6 +18,7 @@ from ramanujan.browser.components import moment
 from ramanujan.browser.containers import container
 from ramanujan.lesson import Run, Stop
 from ramanujan.number_theory import BODIES
+from ramanujan.pages.classroom.shared_elements import add_letters, last_sentence
 from ramanujan.physics.contact import first_to_slip
 from ramanujan.shell import class_session, display_mode, messages, progress, sidebar, stages, widgets
 from ramanujan.shell.display_mode import slide
@@ -91,7 +92,8 @@ def draw(
             words = picture = reason = st.container()
         with above or words, container("lead", "question"):
             st.title(f"{number}. {stop.heading}", anchor=False)
-            st.markdown(stop.question)
+            # The desk needs the room for votes and reason.
+            st.markdown(last_sentence(stop.question) if draw_desk and running else stop.question)
         with words:
             if draw_desk:
                 draw_desk()
@@ -119,7 +121,7 @@ def _draw_answers(stop: Stop, chosen: str | None, phase: str, *, with_options: b
         draw_options(stop)
     else:
         if with_options:
-            st.markdown("\n".join(f"- {label}" for label in stop.options.values()))
+            st.markdown("\n".join(f"- {label}" for label in add_letters(stop).values()))
         draw_verdict(stop, chosen, phase)
 
 
@@ -166,7 +168,7 @@ def draw_options(stop: Stop) -> None:
     with container("lead", "options", gap="xsmall"):
         st.markdown(_("**Predict** before you see it:"))
         with st.container(key="options", gap="xsmall"):
-            for option, label in stop.options.items():
+            for option, label in add_letters(stop).items():
                 st.button(
                     label,
                     key=f"option_{stop.id}_{option}",
@@ -179,7 +181,8 @@ def draw_options(stop: Stop) -> None:
 def draw_verdict(stop: Stop, chosen: str, phase: str) -> None:
     """Draw the prediction, after the run a verdict on it, and on request the right answer."""
     is_right = chosen == stop.right
-    prediction = _("**Your prediction:** {option}").format(option=stop.options[chosen])
+    labels = add_letters(stop)
+    prediction = _("**Your prediction:** {option}").format(option=labels[chosen])
     # On a phone this part is above the machine.
     with container("lead", "verdict"):
         if phase == progress.PREDICTED:
@@ -188,13 +191,13 @@ def draw_verdict(stop: Stop, chosen: str, phase: str) -> None:
             return
         if is_right:
             sentence = _("Your prediction was right.")
-            st.markdown(f":green[:material/check_circle: **{sentence}**] {stop.options[stop.right]}")
+            st.markdown(f":green[:material/check_circle: **{sentence}**] {labels[stop.right]}")
         elif phase == progress.MISSED:
             sentence = _("Your prediction was different. {reply}").format(reply=stop.reply(chosen))
             st.markdown(f"{prediction}\\\n{sentence}")
             _draw_moves(stop, chosen, _("Show the answer"), progress.ANSWERED)
         else:
-            sentence = stop.options[stop.right]
+            sentence = labels[stop.right]
             st.markdown(f"{prediction}\\\n{stop.reply(chosen)}")
             st.markdown(_(":green[:material/check_circle: **Right answer:**] {option}").format(option=sentence))
     # The clicked button has disappeared with the focus, so announce the result to a screen reader.
@@ -216,7 +219,7 @@ def draw_explanation(stop: Stop) -> None:
         _draw_hands_button(stop)
     st.markdown(stop.explanation())
     label, page, query = stop.onward
-    if not display_mode.is_projector():
+    if not (display_mode.is_projector() or class_session.lecturer_key()):
         st.page_link(PAGES[page].file, label=label, icon=":material/open_in_full:", query_params=dict(query))
 
 

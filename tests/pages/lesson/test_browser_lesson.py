@@ -78,7 +78,7 @@ def check_prediction(page) -> None:
     assert "normalized" not in page.evaluate(BUS)
     next_frame(page)
     assert page.evaluate(PLACE) == place
-    predict(page, "Behind by less than one full turn.")
+    predict(page, "B. Behind by less than one full turn.")
     # The machine is still, and the choice can be changed.
     next_frame(page)
     assert page.evaluate(PLACE) == place

@@ -7,6 +7,7 @@ import pytest
 
 from ramanujan import UNIT_MASS_RATIO, lesson
 from ramanujan.browser import stage
+from ramanujan.pages.classroom.shared_elements import add_letters
 from ramanujan.pages.used_by_shell import ENTRIES
 from tests.checks.scenes import sent, unbroken
 from tests.settings import DEEP
@@ -88,7 +89,7 @@ def test_a_stop_reveals_its_motion_and_its_answer_only_on_request(opened, name):
         giveaways.add(f"{UNIT_MASS_RATIO:.{3 if name == 'by-hand' else 7}g}")
     assert [text for text in giveaways if text in page] == []
     # All options look the same: each label occurs once, as a button.
-    for option, label in stop.options.items():
+    for option, label in add_letters(stop).items():
         assert page.count(json.dumps(label, ensure_ascii=False)) == 1
         assert page.count(f'-option_{name}_{option}"') == 1
     assert stop.question in [text.value for text in app.markdown]
