@@ -128,38 +128,41 @@ def draw_phase_plane(
     period: float,
     periods: int,
     colors: Mapping[str, str],
-    names_lines: bool = False,
 ) -> EncodedFigure:
-    """Draw velocity against displacement for several coordinates on common axes.
+    """Draw v/Ω against displacement for several coordinates on common axes, so that an oscillation is a circle.
 
     Parameters
     ----------
     orbits : each with the displacements [cm] at n equal steps of time
-    velocities : of the same coordinates at the same times [cm/s]
-    ranges : of the displacements [cm] and of the velocities [cm/s]
+    velocities : v/Ω of the same coordinates at the same times [cm]
+    ranges : of the displacements and of v/Ω [cm]; the scales are equal, so the axes leave a part of the figure free
     period, periods : the period [s], and the number of periods in the n steps; for the cursor
     colors : ink, faint and paper
-    names_lines : whether the names are on the orbits instead of in the legend
     """
     traces = [
         line(orbit.values.astype(np.float32), velocity.astype(np.float32), **orbit.look)
-        | {"name": orbit.name, "hovertemplate": "%{x} cm, %{y} cm/s", "xhoverformat": ".3~g", "yhoverformat": ".3~g"}
+        | {
+            "name": orbit.name,
+            "hovertemplate": "%{x} cm, <i>v</i>/Ω = %{y} cm",
+            "xhoverformat": ".3~g",
+            "yhoverformat": ".3~g",
+        }
         for orbit, velocity in zip(orbits, velocities, strict=True)
     ]
-    centred = {**_zero_line(colors), "nticks": 7}
-    displacement_range, velocity_range = ranges
-    names = {}
-    if names_lines:
-        names = _name_lines(orbits, [orbit.values for orbit in orbits], velocities, *ranges, 0.11)
+    # With the constraint "range", each change of the window would widen the ranges further.
+    centred = {**_zero_line(colors), "nticks": 7, "constrain": "domain"}
+    displacement_range, (low, high) = ranges
+    # A long drift does not flatten the plane: it is at least as high as a third of its width.
+    margin = max(0.0, float(np.ptp(displacement_range)) / 3 - (high - low)) / 2
+    velocity_range = low - margin, high + margin
     return _lay_out(
         traces,
         colors,
-        annotations=list(names.values()),
         xaxis=_axis(_("displacement [cm]"), displacement_range, **centred),
-        yaxis=_axis(_("velocity [cm/s]"), velocity_range, **centred),
+        yaxis=_axis(_("velocity <i>v</i>/Ω [cm]"), velocity_range, scaleanchor="x", **centred),
         hovermode="closest",
         meta={"cursor": "orbit", "period": period, "periods": periods},
-        **({} if names_lines else legend()),
+        **legend(),
     )
 
 
@@ -205,11 +208,11 @@ def step_range(arrays: Iterable[np.ndarray]) -> tuple[float, float]:
     >>> step_range([np.array([-6.0, 8.0])])
     (-7.0, 10.0)
     >>> step_range([np.array([0.0, 99.0])])
-    (-7.0, 150.0)
+    (-10.0, 150.0)
     """
     values = np.concatenate([np.ravel(array) for array in arrays])
     lowest, highest = 1.05 * float(values.min()), 1.05 * float(values.max())
-    least = max(-lowest, highest) / 15
+    least = round_up(max(-lowest, highest)) / 15
     return -round_up(max(-lowest, least)), round_up(max(highest, least))
 
 

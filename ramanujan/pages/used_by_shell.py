@@ -12,7 +12,7 @@ from ramanujan.shell.menu import Entry
 ENTRIES = {
     "oscillator": Entry(draw_header=oscillator.draw_header),
     "derivation": Entry(derivation.URL_PARAMETERS, uses_sidebar=derivation.uses_sidebar),
-    "motion": Entry(motion.URL_PARAMETERS),
+    "motion": Entry(motion.URL_PARAMETERS, uses_sidebar=lambda: False),
     "taxicab": Entry(taxicab.URL_PARAMETERS, uses_sidebar=lambda: False),
     "speed": Entry(speed.URL_PARAMETERS, uses_sidebar=lambda: False),
     "lesson": Entry(

@@ -94,6 +94,7 @@ def test_events_are_announced_once_and_the_assumptions_about_the_host_pages_are_
     page.get_by_role("button", name="Steps, speed, view").click()
     page.get_by_role("button", name="Step forward").click()
     check_announced("periods after release, t =")
+    page.locator("[data-testid=stExpandSidebarButton]").click()
     page.locator(".st-key-more_controls summary").first.click()
     page.get_by_text("Light rollers", exact=True).click()
     check_announced("one full turn in")

@@ -111,12 +111,10 @@ def phase_plane(
     compression: float,
     glide: float,
     spin: float,
-    *,
-    is_projector: bool = False,
 ) -> EncodedFigure:
     """Return the phase plane in a frame of reference; the other parameters as for `figures`."""
     motion = record(machine, compression, glide, spin)
-    return draw_orbits(frame, motion, theme.colors(), is_projector=is_projector)
+    return draw_orbits(frame, motion, theme.colors())
 
 
 def _displacements(motion: Record, colors: Mapping[str, str]) -> list[Panel]:
@@ -125,22 +123,21 @@ def _displacements(motion: Record, colors: Mapping[str, str]) -> list[Panel]:
     for frame, title in FRAMES.items():
         positions, _velocities = relative_to(frame, motion)
         centimetres = {body: _CM * x for body, x in positions.items()}
-        panels.append(Panel(title, "cm", _body_curves(centimetres, colors), _ranges(frame, motion)[0]))
+        panels.append(_panel(title, "cm", _body_curves(centimetres, colors)))
     return panels
 
 
-def draw_orbits(frame: str, motion: Record, colors: Mapping[str, str], *, is_projector: bool = False) -> EncodedFigure:
+def draw_orbits(frame: str, motion: Record, colors: Mapping[str, str]) -> EncodedFigure:
     """Draw the orbits of slab, block and top cylinder relative to the ground, or without the block relative to it."""
     positions, velocities = relative_to(frame, motion)
     bodies = [body for body in ("slab", "block", "top") if body in positions]
     return draw_phase_plane(
         [_body_curve(body, _CM * positions[body], colors) for body in bodies],
-        [_CM * velocities[body] for body in bodies],
+        [_CM * velocities[body] / motion.oscillator.natural_frequency for body in bodies],
         ranges=_ranges(frame, motion),
         period=motion.oscillator.period,
         periods=PERIODS,
         colors=colors,
-        names_lines=is_projector,
     )
 
 
@@ -163,7 +160,7 @@ def _ranges(frame: str, motion: Record) -> tuple[tuple[float, float], tuple[floa
     for included in frames:
         positions, rates = relative_to(included, motion)
         displacements += [_CM * x for x in positions.values()]
-        velocities += [_CM * v for v in rates.values()]
+        velocities += [_CM * v / motion.oscillator.natural_frequency for v in rates.values()]
     return step_range(displacements), step_range(velocities)
 
 

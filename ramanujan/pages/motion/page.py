@@ -63,8 +63,8 @@ def show() -> None:
         cursor.mount("motion")
     with figure_column:
         draw_figures(motion, friction, setting)
-    if not display_mode.is_projector():
-        offer_files(motion, mu)
+        if not display_mode.is_projector():
+            offer_files(motion, mu)
 
 
 def draw_machine(motion: Record, friction: Friction) -> None:
@@ -99,16 +99,12 @@ def draw_verdict(friction: Friction, compression: float) -> None:
 
 
 def offer_files(motion: Record, mu: float) -> None:
-    """Offer the record as a CSV file."""
+    """Offer the record as a CSV file, beside a sentence on its contents."""
     settings = [(parameter.label, parameter.value) for parameter in (*PARAMETERS.values(), GLIDE, SPIN, MU)]
-    widgets.download(
-        _("CSV"),
-        sheet(motion, mu, settings),
-        "ramanujan motion.csv",
-        "text/csv",
-        icon=":material/table:",
-        help=_("All numbers of this page, in SI units, as a file that a spreadsheet opens, and NumPy, too"),
-    )
+    with st.container(horizontal=True, vertical_alignment="center"):
+        icon = ":material/table:"
+        widgets.download(_("CSV"), sheet(motion, mu, settings), "ramanujan motion.csv", "text/csv", icon=icon)
+        st.caption(_("All numbers of this page, in SI units, as a file that a spreadsheet opens, and NumPy, too"))
 
 
 def draw_figures(motion: Record, friction: Friction, setting: cache.ReleaseParameters) -> None:
@@ -136,12 +132,21 @@ def draw_figures(motion: Record, friction: Friction, setting: cache.ReleaseParam
                     draw_functions[view](motion, figure, name)
             if view == "displacements":
                 with slide("phase_plane", _("Phase plane")):
-                    frame = widgets.segmented_control(PLANE, _("Phase plane"))
-                    orbits = cache.phase_plane(frame, theme.current(), *setting, is_projector=is_projector)
-                    plots.draw_phase_plane(motion, frame, orbits)
+                    draw_phase_plane(motion, setting)
             if view == "forces":
                 with slide("friction", _("Friction needed")):
                     plots.draw_required_friction(motion, friction)
+
+
+def draw_phase_plane(motion: Record, setting: cache.ReleaseParameters) -> None:
+    """Draw the phase plane, in the projector view as high as the slide, with the words beside it."""
+    picture, words = display_mode.picture_and_words()
+    with words:
+        frame = widgets.segmented_control(PLANE, _("Phase plane"))
+    with picture:
+        plots.draw_phase_plane(motion, frame, cache.phase_plane(frame, theme.current(), *setting))
+    with words:
+        plots.explain_phase_plane()
 
 
 if __name__ == "__main__":

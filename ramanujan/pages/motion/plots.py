@@ -42,8 +42,7 @@ def explain_zero_modes() -> None:
     st.caption(
         _(
             "Each initial velocity excites a **zero mode**: a motion that does not deform the spring, so nothing pulls "
-            "it back. With $-\\dot X_0$ the whole machine glides, and nothing changes relative to the block. With "
-            "$\\dot\\Phi_0$ only the top cylinder rolls away."
+            "it back. With $-\\dot X_0$ the whole machine glides. With $\\dot\\Phi_0$ only the top cylinder rolls away."
         )
     )
 
@@ -72,11 +71,16 @@ def draw_displacements(motion: Record, figure: EncodedFigure, name: str) -> None
             "After whole periods only this drift is left: {block:3 cm/s} for the block, {top:3 cm/s} for the top "
             "cylinder relative to it."
         )
+    else:
+        sentence = _(
+            "Nothing drifts: after each period every body is back where it started. An initial velocity changes this."
+        )
+    with st.container(key=f"drift_{name}"):
         st.caption(filled(sentence, block=block, top=top))
 
 
 def draw_phase_plane(motion: Record, frame: str, figure: EncodedFigure) -> None:
-    """Draw and explain the phase plane relative to the ground or to the block."""
+    """Draw the phase plane relative to the ground or to the block."""
     alternative = _(
         "Phase plane: velocity over displacement, {frame}. The slab reaches a displacement of {displacement:3 cm} and "
         "a speed of {velocity:3 cm/s}."
@@ -86,11 +90,15 @@ def draw_phase_plane(motion: Record, frame: str, figure: EncodedFigure) -> None:
     velocity = 100 * float(abs(velocities["slab"]).max())
     words = filled(alternative, frame=cache.FRAMES[frame], displacement=displacement, velocity=velocity)
     draw_chart(figure, "phase_plane", words)
+
+
+def explain_phase_plane() -> None:
+    """Explain the phase plane, and what to look for in it."""
     st.caption(
         _(
-            "Each dot of this **phase plane** shows where a body is and how fast it moves. A closed curve means that "
-            "the motion repeats. Change $-\\dot X_0$: the curves relative to the ground change, those relative to the "
-            "block do not."
+            "Each dot of this **phase plane** shows where a body is and how fast it moves. The velocity is divided by "
+            "Ω: both axes are lengths, and an oscillation is a circle. Change $-\\dot X_0$: the curves relative to the "
+            "ground open, those relative to the block do not change."
         )
     )
 
