@@ -80,7 +80,7 @@ def bring_into_step() -> None:
 
 def draw_discriminant(results: cache.Results) -> None:
     """Draw the number that replaces 1729, its sums of two cubes, and the mass ratio that leads to it."""
-    st.html(f"<div role='status'>{results.machine.discriminant}</div>")
+    st.html(f"<strong>{results.machine.discriminant}</strong>")
     st.markdown(f"$={results.cubes}$" if results.cubes else _("no sum of two cubes"))
     st.markdown(_("in step at $\\varepsilon={ratio}$").format(ratio=in_latex(f"{results.ratio:.7g}")))
     st.button(_("Set this mass ratio"), key="own_ratio", on_click=bring_into_step)
