@@ -252,6 +252,7 @@ def test_the_bar_of_a_root_is_above_its_digits(window, file, engine):
     page.evaluate("document.querySelector('msqrt mn').scrollIntoView({ block: 'center' })")
     # Until a font is loaded, browsers draw the bar without the digits.
     page.wait_for_function("document.fonts.check('1em Formulas')")
+    next_frame(page)
     x, y, width, height = page.evaluate(box_of("document.querySelector('msqrt mn')"))
     picture = Image.open(io.BytesIO(page.screenshot())).convert("L")
     darkness = 255 - np.asarray(picture.crop((x, y - 8, x + width, y + height)), dtype=float).mean(axis=1)
