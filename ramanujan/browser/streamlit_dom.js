@@ -2,7 +2,7 @@
 // pages fails, the function that relies on it returns null, false or nothing. Its feature then has no effect.
 // tests/checks/scripts/assumptions.js explains each assumption; .github/upgrading.md explains how to upgrade Streamlit.
 
-import { observe } from "./lasting.js";
+import { debounce, observe } from "./lasting.js";
 
 export const dom = {
   /** Whether the server runs the page's script. */
@@ -111,7 +111,8 @@ export const dom = {
     // Plotly draws a figure in its new size only later, so a picture may still be larger than its box.
     const bottom = (node) => node.getBoundingClientRect().bottom;
     const isTooHigh = (box) =>
-      [...box.querySelectorAll(".stElementContainer, .stPlotlyChart")].some((node) => bottom(node) > bottom(box) + 1);
+      [...box.querySelectorAll(".stElementContainer, .stPlotlyChart")]
+        .some((node) => node.checkVisibility() && bottom(node) > bottom(box) + 1);
     return slide.scrollHeight > slide.clientHeight + 1 || [...slide.children].filter(dom.hasFigure).some(isTooHigh) ||
       [slide, ...slide.querySelectorAll("[class*='st-key-table-']")].some(dom.scrollsAside);
   },
@@ -144,8 +145,28 @@ export const dom = {
    */
   watchLeaving(listener, signal) {
     const options = { capture: true, signal };
-    addEventListener("click", ({ target }) => dom.isPageLink(target) && listener(), options);
+    // With such a key, the link opens another window, and this page stays.
+    const leaves = (event) => !(event.ctrlKey || event.metaKey || event.shiftKey) && dom.isPageLink(event.target);
+    addEventListener("click", (event) => leaves(event) && listener(), options);
     addEventListener("popstate", listener, options);
+  },
+
+  /**
+   * Debounce a message to the server, and hold it from the request for another page until the server's next run. Until
+   * then Streamlit sends a message for the page before. The server would draw that page's components without the
+   * content of the new page.
+   */
+  debounceMessage(ms, send, signal) {
+    let isLeaving = false;
+    const debounced = debounce(ms, () => (isLeaving ? debounced() : send()), signal);
+    dom.watchLeaving(() => {
+      isLeaving = true;
+      debounced.cancel();
+    }, signal);
+    dom.watchRuns(() => {
+      isLeaving &&= !dom.isRunning();
+    }, signal);
+    return debounced;
   },
 
   /** Scroll the bar of pages to the name of the present page. */

@@ -90,7 +90,7 @@ SLIDES = {
     "worksheet": 1,
 }
 """Page → number of its slides."""
-FULL = {FIRST: 1, "lesson?stop=zero-modes&chosen=zero-modes.one": 0.75, "1729?left=sphere&top=shell": 0.99}
+FULL = {FIRST: 1, "lesson?stop=zero-modes&chosen=zero-modes.one": 0.75, "1729?left=sphere&top=shell": 1}
 """Page → used share of a slide's height from which its sentences may be small."""
 
 

@@ -2,7 +2,7 @@
 // projector.css contains their layout.
 
 import { bus } from "../../bus.js";
-import { debounce, observe } from "../../lasting.js";
+import { observe } from "../../lasting.js";
 import { narrow } from "../../narrow.js";
 import { dom } from "../../streamlit_dom.js";
 import { fill } from "../../sentences.js";
@@ -47,14 +47,7 @@ class Pager {
     for (const [button, by] of [[this.back, -1], [this.next, 1]]) button.addEventListener("click", () => this.turn(by));
     this.list.addEventListener("change", () => this.turn(this.list.selectedIndex - this.now));
     const name = () => (this.now > 0 ? this.slides[this.now].name : "");
-    const sendName = () => (this.isLeaving ? this.send() : component.setTriggerValue("at", name()));
-    this.send = debounce(PAUSE, sendName, signal);
-    // Until the server begins the next page, Streamlit would send the name for the page before. The server would then
-    // draw the pager of that page, without the next page's content.
-    dom.watchLeaving(() => {
-      this.isLeaving = true;
-      this.send.cancel();
-    }, signal);
+    this.send = dom.debounceMessage(PAUSE, () => component.setTriggerValue("at", name()), signal);
     // The window receives a key event last, so other elements can use the key first.
     window.addEventListener("keydown", (event) => {
       const by = turnOf(event, { PageDown: 1, PageUp: -1 });
@@ -73,10 +66,7 @@ class Pager {
     document.documentElement.dataset.pager = "";
     applyProjectorStyle(true);
     observe(document.body, { childList: true, subtree: true }, () => this.update(), signal);
-    dom.watchRuns(() => {
-      this.isLeaving &&= !dom.isRunning();
-      this.update();
-    }, signal);
+    dom.watchRuns(() => this.update(), signal);
     signal.addEventListener("abort", () => {
       bus.forget("slides");
       delete document.documentElement.dataset.pager;

@@ -3,7 +3,6 @@
 // stop at a time. Until it answers, the control shows the requested stop.
 
 import { bus } from "../../bus.js";
-import { debounce } from "../../lasting.js";
 import { fill } from "../../sentences.js";
 import { dom } from "../../streamlit_dom.js";
 
@@ -87,8 +86,8 @@ class Steps extends Turner {
     this.sheet = document.head.appendChild(document.createElement("style"));
     signal.addEventListener("abort", () => this.sheet.remove());
     // The number of the step is sent later, and the server writes it into the address.
-    this.send = debounce(PAUSE, () => component.setStateValue("at", { route: this.route, step: this.now }), signal);
-    dom.watchLeaving(this.send.cancel, signal);
+    const sendStep = () => component.setStateValue("at", { route: this.route, step: this.now });
+    this.send = dom.debounceMessage(PAUSE, sendStep, signal);
   }
 
   /** Page Up, Page Down and the space bar also scroll the page, so they turn only while the steps are in view. */
