@@ -4,6 +4,7 @@ import re
 import string
 from collections import Counter
 from collections.abc import Mapping, Sequence
+from typing import NamedTuple
 
 import segno
 import streamlit as st
@@ -19,6 +20,16 @@ from ramanujan.text.translation import _, ngettext
 
 RESULTS_HEADING = _("What the class has learned")
 MISTAKE = _("**You may have thought:** *{label}* {reply}")
+
+
+class _Result(NamedTuple):
+    """The result of each vote (option → number of votes), and how answers changed between the two votes.
+
+    The key of a change is whether the first answer was right, and whether the second one was.
+    """
+
+    votes: list[Counter[str]]
+    changes: Counter[tuple[bool, bool]]
 
 
 def add_letters(stop: Stop) -> dict[str, str]:
@@ -49,18 +60,13 @@ def show(code: str, stop: Stop, vote: Vote, is_solved: bool, chosen: str | None 
     is_solved : whether to show the right answer and its number of votes
     chosen : the student's own answer in the last vote
     """
-    try:
-        all_votes, changes = _result(code, stop.id, vote)
-    except ClassError as error:
-        st.warning(str(error))
-        return
     right = stop.right if is_solved else None
     letters = add_letters(stop).items()
     labels = {option: _mark_label(label, option == right, option == chosen) for option, label in letters}
-    if not any(sum(votes.values()) for votes in all_votes):
-        draw_options(labels)
-        st.markdown(_("Nobody has voted."))
+    result = _find_votes(code, stop, vote, labels)
+    if not result:
         return
+    all_votes, changes = result
     # In a narrow chart the style sheet shows the names of the votes in the bars instead of the headings.
     templates = (_("*First vote:* {share}"), _("*Second vote:* {share}")) if vote.is_second else ("{share}",)
     with st.container(key="class_result"):
@@ -77,22 +83,15 @@ def show(code: str, stop: Stop, vote: Vote, is_solved: bool, chosen: str | None 
 
 def draw_options_with_shares(code: str, stop: Stop, vote: Vote) -> None:
     """Draw the options as a list, each with its share in each vote. A bar behind it shows the last share."""
-    try:
-        all_votes, _changes = _result(code, stop.id, vote)
-    except ClassError as error:
-        st.warning(str(error))
-        return
     labels = add_letters(stop)
-    totals = [sum(votes.values()) for votes in all_votes]
-    if not any(totals):
-        draw_options(labels)
-        st.markdown(_("Nobody has voted."))
+    result = _find_votes(code, stop, vote, labels)
+    if not result:
         return
     rules = []
     for number, (option, label) in enumerate(labels.items(), start=1):
-        percentages = [_percent(votes[option], total) for votes, total in zip(all_votes, totals, strict=True)]
+        percentages = [_percent(votes[option], votes.total()) for votes in result.votes]
         labels[option] = f"{label} **{' → '.join(percentages)}**"
-        share = all_votes[-1][option] / max(totals[-1], 1)
+        share = _fraction(result.votes[-1], option)
         rules.append(f".st-key-class_options li:nth-child({number}) {{ --share: {share:.1%} }}")
     draw_options(labels)
     st.html(f"<style>{' '.join(rules)}</style>")
@@ -130,7 +129,7 @@ def _widths(votes: Sequence[object]) -> list[int]:
     return [label_width, *(chart_width for _vote in votes)]
 
 
-def _draw_option(option: str, text: str, all_votes: Sequence[Mapping[str, int]], templates: Sequence[str]) -> None:
+def _draw_option(option: str, text: str, all_votes: Sequence[Counter[str]], templates: Sequence[str]) -> None:
     """Draw the label of an option, and its share in each vote."""
     label, *charts = st.columns(_widths(all_votes), gap="small")
     label.markdown(text)
@@ -138,27 +137,42 @@ def _draw_option(option: str, text: str, all_votes: Sequence[Mapping[str, int]],
         _draw_share(chart, votes, option, template)
 
 
-def _draw_share(place: DeltaGenerator, votes: Mapping[str, int], option: str, template: str) -> None:
+def _draw_share(place: DeltaGenerator, votes: Counter[str], option: str, template: str) -> None:
     """Draw the share of an option in a vote as a bar, with its numbers in the text `template`."""
-    people, total = votes[option], sum(votes.values())
+    people, total = votes[option], votes.total()
     text = template.format(share=_share(people, total), percent=_percent(people, total))
-    place.progress(people / total if total else 0.0, text)
+    place.progress(_fraction(votes, option), text)
+
+
+def _fraction(votes: Counter[str], option: str) -> float:
+    """Return the share of an option, from 0 to 1; 0 if nobody voted."""
+    return votes[option] / votes.total() if votes.total() else 0.0
+
+
+def _find_votes(code: str, stop: Stop, vote: Vote, labels: Mapping[str, str]) -> _Result | None:
+    """Return the result of a question. If there is none to draw, say why, and return None."""
+    try:
+        result = _result(code, stop.id, vote)
+    except ClassError as error:
+        st.warning(str(error))
+        return None
+    if any(votes.total() for votes in result.votes):
+        return result
+    draw_options(labels)
+    st.markdown(_("Nobody has voted."))
+    return None
 
 
 @st.cache_data(show_spinner=False, max_entries=256)
-def _result(code: str, stop: str, vote: Vote) -> tuple[Sequence[Mapping[str, int]], Counter[tuple[bool, bool]]]:
-    """Return the result of each vote (option → number of votes), and how answers changed between the two votes.
-
-    The key of a change is whether the first answer was right, and whether the second one was. A revealed result is
-    final, so it is cached.
-    """
+def _result(code: str, stop: str, vote: Vote) -> _Result:
+    """Return the result of a question. A revealed result is final, so it is cached."""
     votes_so_far = [vote._replace(number=number) for number in range(1, vote.number + 1)]
     # A class may have voted under another version of the app, with other options.
     distributions = [Counter(shared().read_distribution(code, stop, earlier)) for earlier in votes_so_far]
     if not vote.is_second:
-        return distributions, Counter()
+        return _Result(distributions, Counter())
     right = find_stop(stop).right
-    return distributions, shared().count_changes(code, stop, right, vote.times_asked)
+    return _Result(distributions, shared().count_changes(code, stop, right, vote.times_asked))
 
 
 def _mark_label(label: str, is_right: bool, is_own: bool) -> str:
