@@ -157,8 +157,7 @@ def _root_step(forms: RatioForms) -> Step:
         _("Find the taxicab number"),
         _(
             "Complete the square. At the right stand two cubes, and their sum is the smallest number that is a sum of "
-            "two positive cubes in two ways. Only one root is positive, as a mass ratio must be. It is called "
-            "$\\varepsilon_*$."
+            "two positive cubes in two ways. Only one root is positive, as a mass ratio must be."
         ),
         equation(forms.quadratic, sp.Integer(0)),
         equation(in_order(4 * a**2 * epsilon**2, 4 * a * b * epsilon), -4 * a * c),

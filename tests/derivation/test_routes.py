@@ -11,6 +11,7 @@ from ramanujan.derivation.matrix import find_modes
 from ramanujan.derivation.model import (
     Omega_squared,
     R,
+    epsilon_star,
     k,
     m,
     m_prime,
@@ -37,6 +38,12 @@ def test_every_route_ends_in_the_same_expression(name):
         for step in ROUTES[name].steps
         for relation in step.equations
     )
+
+
+@pytest.mark.parametrize("name", ROUTES)
+def test_the_last_step_uses_one_symbol_for_the_ratio(name):
+    last = ROUTES[name].steps[-1]
+    assert r"\varepsilon_*" not in last.reason or any(epsilon_star in line.free_symbols for line in last.equations)
 
 
 @pytest.mark.parametrize("bodies", OTHER_BODIES.values(), ids=OTHER_BODIES)
