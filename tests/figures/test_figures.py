@@ -12,6 +12,7 @@ from streamlit.testing.v1 import AppTest
 
 from ramanujan.browser.modules import collect_files
 from ramanujan.figures import encode_figure
+from ramanujan.pages.oscillator.cache import figure as draw_curve
 from ramanujan.pages.used_by_shell import ENTRIES
 from ramanujan.shell.menu import PAGES
 from tests.checks.browser import ROOT
@@ -28,6 +29,16 @@ def test_a_figure_equals_plotlys_own_json() -> None:
     assert json.loads(sent) == {**json.loads(checked.to_json()), "layout": layout}
     with pytest.raises(ValueError, match="colour"):
         go.Figure(encode_figure([{"type": "scatter", "colour": "red"}], {}).to_dict())
+
+
+def test_a_label_in_the_inset_is_below_its_frame() -> None:
+    layout = draw_curve("light").to_dict()["layout"]
+    axis = layout["yaxis2"]
+    [label] = [note for note in layout["annotations"] if note.get("yref") == "y2" and "104/99" in note["text"]]
+    panel, letters = 356, 24  # the height of the panel on a slide of 1280×720 pixels, and of its letters [px]
+    (bottom, top), (low, high) = axis["domain"], axis["range"]
+    room = panel * (top - bottom) * (high - label["y"]) / (high - low)
+    assert room >= label["yshift"] + 1.3 * letters * (label["text"].count("<br>") + 1)
 
 
 def letters_high(key: str) -> float:
