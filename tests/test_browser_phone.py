@@ -211,6 +211,19 @@ def test_a_visit_with_one_finger(visit):
     check_stop(phone)
 
 
+def test_a_formula_of_the_worksheet_is_legible(visit):
+    page = visit("worksheet", width=390, height=844, has_touch=True, is_mobile=True)
+    lines = page.locator(".st-key-worksheet [class*=st-key-question-] p:not(:has(> :not(.katex)))")
+    lines.first.wait_for(state="attached")
+    settle(page)
+    assert lines.count() > 5
+    sizes = lines.locator("> .katex").evaluate_all("nodes => nodes.map((node) => getComputedStyle(node).fontSize)")
+    assert min(float(size.removesuffix("px")) for size in sizes) >= 14
+    assert page.evaluate("document.documentElement.scrollWidth") == 390
+    # On a phone of this width no formula has to be scrolled.
+    assert lines.evaluate_all("nodes => nodes.every((node) => node.scrollWidth <= node.clientWidth)")
+
+
 SMALL = ((390, 664), (844, 390))
 """Width and height of a small phone with the browser's bars, in both orientations."""
 IN_ENGLISH = [("zero-modes", "none"), ("1729", "second")]
