@@ -224,6 +224,15 @@ def test_a_formula_of_the_worksheet_is_legible(visit):
     assert lines.evaluate_all("nodes => nodes.every((node) => node.scrollWidth <= node.clientWidth)")
 
 
+def test_the_bar_of_energies_does_not_cover_the_slider(visit):
+    page = visit("?layers=energy", width=390, height=844, has_touch=True, is_mobile=True)
+    bar = page.locator(".st-key-stage .energy .bar").bounding_box()
+    box = page.locator(".st-key-m_prime_exact input").bounding_box()
+    clock = page.locator(".st-key-stage svg.dial").bounding_box()
+    assert box["y"] + box["height"] <= bar["y"]
+    assert page.locator(".st-key-stage .energy").evaluate("(node) => node.getBoundingClientRect().bottom") <= clock["y"]
+
+
 SMALL = ((390, 664), (844, 390))
 """Width and height of a small phone with the browser's bars, in both orientations."""
 IN_ENGLISH = [("zero-modes", "none"), ("1729", "second")]
