@@ -29,7 +29,7 @@ from tests.checks.layout import (
 from tests.checks.look import RING, rgb, switch
 from tests.checks.paper import SHEETS, check_printed
 
-OF_STREAMLIT = r"/Source(Sans|Serif)\w*-(Upright|Roman)"
+OF_STREAMLIT = r"/Source(Sans|Serif)\w*-(Upright|Roman|Italic)"
 """Addresses of Streamlit's text fonts, which a browser loads for characters that the app's fonts lack."""
 AXE = files("axe_playwright_python").joinpath("axe.min.js")
 TAGS = ["wcag2a", "wcag2aa", "wcag21a", "wcag21aa", "wcag22aa", "best-practice"]
