@@ -207,6 +207,15 @@ def check_views(page):
         assert machine["y"] + machine["height"] < 720 - 200
 
 
+def test_machine_and_graph_are_beside_each_other_on_a_small_screen(visit):
+    page = open_motion(visit)
+    page.set_viewport_size({"width": 1000, "height": 768})
+    settle(page)
+    machine, graph = (page.locator(each).first.bounding_box() for each in ("svg.machine", ".js-plotly-plot"))
+    assert machine["x"] + machine["width"] < graph["x"]
+    assert max(box["y"] + box["height"] for box in (machine, graph)) < 768
+
+
 def check_edge(page):
     """Check that picture and time cursor stop at the edge with a note."""
     page.wait_for_selector(".time-cursor", state="attached")
