@@ -166,6 +166,11 @@ def check_code(screens: Screens) -> None:
     for width, height in SIZES[:2]:
         wall.set_viewport_size({"width": width, "height": height})
         assert letters.evaluate(WIDEST_CODE) > 0.09 * height
+    sizes = [
+        wall.locator(words).evaluate("(node) => parseFloat(getComputedStyle(node).fontSize)")
+        for words in ("h1", ".st-key-class_invitation p >> nth=0", ".st-key-class_wall_foot p")
+    ]
+    assert sizes[0] > sizes[1] > sizes[2] > 0.034 * height
     for width, height in reversed(SIZES[:2]):
         wall.set_viewport_size({"width": width, "height": height})
         [barcode] = zxingcpp.read_barcodes(Image.open(io.BytesIO(wall.screenshot())))
