@@ -87,13 +87,13 @@ export function makeLayers(root) {
       speed: ["m/s", (length) => [velocityArrow(x, first, length, head), x + length, first]],
       force: ["N", (length) => [forceArrow(x, second, length, head), x + length, second]],
     };
+    const sentences = { speed: seenFrom === "block" ? WORDS.relative : "{speed}", force: WORDS.strength };
     for (const [name, [unit, drawn]] of Object.entries(scales)) {
       const value = roundBelow(maxima[name]), [d, end, y] = drawn(value * unitLengths[name]);
       const label = find(`.${name} text`);
       set(find(`.${name} path`), { d });
       set(label, { x: end + 1.5, y: -y });
-      const sentence = name === "speed" && seenFrom === "block" ? WORDS.relative : "{speed}";
-      label.textContent = fill(sentence, { speed: withUnit(number(value, 1), unit) });
+      label.textContent = fill(sentences[name], { [name]: withUnit(number(value, 1), unit) });
     }
   }
 

@@ -72,6 +72,7 @@ SENTENCES = {
     "slab_slider": _("Slab: compression x₀"),
     "each": _("mass m′ each"),
     "relative": _("{speed}, relative to the block"),
+    "strength": _("{force}: spring and friction"),
     "from_ground": _("Seen from the ground."),
     "from_block": _(
         "Seen from the block: the block stands still, and the ground moves. Velocities and traces are relative to the "
