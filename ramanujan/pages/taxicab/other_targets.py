@@ -83,7 +83,7 @@ def draw_curve() -> None:
     results, machine = _current_results(), sidebar.oscillator()
     target = results.machine.target
     present = machine.mass_ratio, machine.normalized_frequency_squared
-    level, ratio = f"Ω²m/k = {target}", number(results.ratio, 10)
+    level, ratio = f"Ω²m/k = {target}", number(results.ratio, 7)
     # The curve contains the target and the current machine.
     least = min(results.ratio / 2, 0.9 * machine.mass_ratio)
     most = max(2 * results.ratio, 1.1 * machine.mass_ratio)
