@@ -103,17 +103,14 @@ class EncodedFigure(BaseFigure):
         return f"EncodedFigure({len(self._sent['data'])} traces)"
 
 
-def legend(bottom: float = 1.02) -> dict[str, Any]:
+def legend() -> dict[str, Any]:
     """Return the layout of a legend in rows above the panels.
 
-    Parameters
-    ----------
-    bottom : its lower edge, in fractions of the plotting area
+    It hangs from the top of the figure. Its place above the panels would depend on the margin that its rows need, and
+    Plotly would not move it when another width of the page changes their number.
     """
-    return {
-        "showlegend": True,
-        "legend": {"orientation": "h", "x": 0, "y": bottom, "yanchor": "bottom", "tracegroupgap": 0},
-    }
+    place = {"orientation": "h", "x": 0, "y": 1, "yref": "container", "yanchor": "top", "tracegroupgap": 0}
+    return {"showlegend": True, "legend": place}
 
 
 def note(name: str, color: str | None, x: float, y: float) -> dict[str, Any]:

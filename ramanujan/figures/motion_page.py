@@ -20,9 +20,6 @@ _GAP = 0.12
 _BELOW = 48
 _ABOVE = 28
 """The margins below and above the plotting area [px]."""
-_PERIOD_HEIGHT = 0.1
-"""The height of the words above the panels, in fractions of the plotting area. The legend lies above them."""
-
 _LEAST_HEIGHT = 0.07
 """The least height of an area with a name, in fractions of the axis: the letters of a slide."""
 
@@ -112,7 +109,7 @@ def draw_time_panels(
         meta={"cursor": "time", "period": period, "periods": periods},
         xaxis=time_axis,
         **axes,
-        **legend(1 + _PERIOD_HEIGHT),
+        **legend(),
         # One small hover box for all panels hides little of the curves.
         hovermode="x unified",
         hoversubplots="axis",

@@ -1,7 +1,7 @@
 """The layout of a page: overlapping and cut texts, jumps."""
 
 from ramanujan.shell.menu import PAGES
-from tests.checks.browser import script
+from tests.checks.browser import script, until
 
 OVERLAPS = script("overlaps")
 """Overlapping texts; only the middle three fifths of a line's height count."""
@@ -30,6 +30,11 @@ CUT_LABELS = """() => [...document.querySelectorAll(".js-plotly-plot")].flatMap(
   }).map((label) => label.textContent);
 })"""
 """The labels that are clipped at an edge of their figure."""
+FITTED = """() => [...document.querySelectorAll(".stPlotlyChart")].every((chart) => {
+  const picture = chart.querySelector(".main-svg");
+  return !chart.clientWidth || (picture && Math.abs(picture.getBoundingClientRect().width - chart.clientWidth) < 2);
+})"""
+"""Whether each visible figure has the width of its place. Plotly adapts figures a moment after a change."""
 WITHOUT_FIGURES = """() => {
   window.withoutFigures = new CSSStyleSheet();
   withoutFigures.replaceSync(".stPlotlyChart { display: none }");
@@ -73,7 +78,7 @@ def check_widths(page) -> None:
     for width in sorted(WIDTHS, key=WITH_FIGURES.__contains__):
         page.evaluate("(drawn) => (withoutFigures.disabled = drawn)", width in WITH_FIGURES)
         page.set_viewport_size({"width": width, "height": 900})
-        # Plotly adapts figures a moment later.
+        until(page, FITTED)
         for _ in range(20):
             faults = page.evaluate(OVERLAPS) + page.evaluate(CUT_LABELS)
             if not faults:

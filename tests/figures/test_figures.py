@@ -64,7 +64,7 @@ def check_legend(data: list[dict], layout: dict) -> None:
     texts = [re.sub("</?span.*?>", "", note["text"]) for note in layout.get("annotations", ())]
     labels = [text for text in texts if text in curves]
     assert sorted([*names, *labels]) == sorted(curves)
-    assert layout["legend"]["y"] > 1
+    assert (layout["legend"]["y"], layout["legend"]["yref"]) == (1, "container")
 
 
 @pytest.mark.parametrize("name", PAGES)
