@@ -21,8 +21,8 @@ _STREAMLIT_PRELOAD = re.compile(rb'<link\s[^>]*as="font"[^>]*>')
 """Streamlit's link that preloads its own font. The app replaces this font with a smaller one (page.css)."""
 _NO_SCRIPT = re.compile(rb"<noscript>.*?</noscript>", re.DOTALL)
 """Streamlit's sentence for a browser without scripts."""
-_FIRST_MODULES = ("begin", "publish", "stage/stage")
-"""Modules that draw the machine and import the others. A preload of other modules would delay these."""
+_FIRST_MODULES = ("begin", "publish", "stage/stage", "components/services/services")
+"""Modules that draw the machine, then the services, and import the others. A preload of all would delay the machine."""
 
 
 def content_security_policy() -> str:
