@@ -28,7 +28,7 @@ def arrows(layer: str, unit: str, values: Callable[[Picture], dict]) -> Callable
     Parameters
     ----------
     layer : id of the layer
-    unit : unit of the scale arrow
+    unit : unit of the scale arrow, with the words after it
     values : function that returns mark → value of the core in this unit, positive to the right
     """
 
@@ -120,7 +120,7 @@ def coordinates(picture: Picture, drawn: dict) -> Pairs:
 MARKS: dict[str, Callable[[Picture, dict], Pairs]] = {
     "energy": bars,
     "arrows": arrows("arrows", "m/s", velocities),
-    "forces": arrows("forces", "N", forces),
+    "forces": arrows("forces", "N: spring and friction", forces),
     "traces": traces,
     "coordinates": coordinates,
 }
