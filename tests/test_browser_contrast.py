@@ -232,6 +232,8 @@ def test_desk_phone_and_wall_show_the_chosen_option(visit):
         colors = [picture.getcolors(2**16) for picture in pictures]
         assert len({max(counted)[1] for counted in colors}) == 2
         assert all(len(counted) > 1 for counted in colors)
+    texts = options.locator("strong").all_inner_texts()
+    assert {"0 %", "100 %"} == {text.replace("\u202f", " ").replace("\u00a0", " ") for text in texts}
 
 
 FORMULAS = ".stMarkdown .katex:has(.accent)"

@@ -79,6 +79,7 @@ def check_widths(page) -> None:
         page.evaluate("(drawn) => (withoutFigures.disabled = drawn)", width in WITH_FIGURES)
         page.set_viewport_size({"width": width, "height": 900})
         until(page, FITTED)
+        # Plotly places labels a moment after it has changed the width.
         for _ in range(20):
             faults = page.evaluate(OVERLAPS) + page.evaluate(CUT_LABELS)
             if not faults:
