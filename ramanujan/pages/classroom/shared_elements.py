@@ -103,19 +103,19 @@ def draw_answer(code: str, stop: Stop, vote: Vote) -> None:
     The wall has shown the sentences of all options before. Here their letters suffice, so that the reasons are large.
     """
     try:
-        all_votes, _changes = _result(code, stop.id, vote)
+        votes = _result(code, stop.id, vote).votes[-1]
     except ClassError as error:
         st.warning(str(error))
         return
     # A sentence follows each label, and some labels have no full stop.
     labels = {option: label.removesuffix(".") + "." for option, label in add_letters(stop).items()}
     mistake = find_commonest_mistake(code, stop, vote)
-    if sum(all_votes[-1].values()):
+    if votes.total():
         with st.container(key="wall_shares"):
             for option, column in zip(stop.options, st.columns(len(stop.options), gap="small"), strict=True):
                 letter = f"**{labels[option].partition('.')[0]}**"
                 mark = f":green[:material/check_circle:] {letter}" if option == stop.right else letter
-                _draw_share(column, all_votes[-1], option, f"{mark} {{percent}}")
+                _draw_share(column, votes, option, f"{mark} {{percent}}")
     with st.container(key="wall_reason"):
         # The reply ends with a question, which the reason answers.
         if mistake:
@@ -205,8 +205,7 @@ def _draw_changes(changes: Counter[tuple[bool, bool]]) -> None:
 
 def find_commonest_mistake(code: str, stop: Stop, vote: Vote) -> str | None:
     """Return the most frequent wrong answer of a vote; None without a wrong answer."""
-    all_votes, _changes = _result(code, stop.id, vote)
-    votes = all_votes[-1]
+    votes = _result(code, stop.id, vote).votes[-1]
     wrong_options = [option for option in stop.options if option != stop.right]
     commonest = max(wrong_options, key=votes.__getitem__)
     return commonest if votes[commonest] else None
@@ -223,7 +222,7 @@ def draw_commonest_mistake(code: str, stop: Stop, vote: Vote) -> None:
 def draw_whole_lesson(code: str, view: ClassView) -> None:
     """Draw the share of right answers before and after the discussion, for each question with a revealed answer."""
     try:
-        results = [(stop, _result(code, stop, vote)[0]) for stop, vote in view.list_solved()]
+        results = [(stop, _result(code, stop, vote).votes) for stop, vote in view.list_solved()]
     except ClassError as error:
         st.warning(str(error))
         return
