@@ -32,6 +32,7 @@ from tests.checks.browser import (
     wait_for_start,
 )
 from tests.checks.engines import bare, bare_address, browsers, engine, playwright, sample, window  # noqa: F401
+from tests.checks.engines import new_context
 from tests.settings import DEEP, PATIENCE, REQUIRED, skip_missing
 
 # Store the tests' classes separately: the app on this computer stores at most 200.
@@ -163,8 +164,7 @@ def visit(request: pytest.FixtureRequest, chromium: object, server: str) -> Iter
     ) -> object:
         size = {"width": width, "height": height}
         if not (tab or within or beside):
-            contexts.append(chromium.new_context(viewport=size, **({"bypass_csp": True} | options)))
-            contexts[-1].set_default_timeout(1000 * PATIENCE)
+            contexts.append(new_context(chromium, viewport=size, **({"bypass_csp": True} | options)))
             contexts[-1].on("weberror", lambda error: errors.append(str(error.error)))
         page = tab or within or (beside.context if beside else contexts[-1]).new_page()
         if page not in pages:

@@ -13,6 +13,7 @@ import pytest
 from ramanujan import lesson
 from ramanujan.text.translation import language_ids
 from tests.checks.browser import ROOT
+from tests.settings import PATIENCE
 
 README = (ROOT / "README.md").read_text(encoding="utf-8")
 
@@ -75,7 +76,7 @@ def test_an_occupied_port_is_named_before_the_app_is_imported():
         port = other.getsockname()[1]
         place = ("--server.address", "127.0.0.1", "--server.port", str(port), "--server.headless", "true")
         command = (sys.executable, "-X", "importtime", "-m", "streamlit", "run", "app.py", *place)
-        result = subprocess.run(command, cwd=ROOT, capture_output=True, text=True, timeout=60, check=False)
+        result = subprocess.run(command, cwd=ROOT, capture_output=True, text=True, timeout=PATIENCE, check=False)
     assert f"Port {port} is not available" in result.stdout + result.stderr
     assert result.returncode == 1
     assert "streamlit.web" in result.stderr
@@ -85,7 +86,7 @@ def test_an_occupied_port_is_named_before_the_app_is_imported():
 def test_an_unknown_language_stops_the_start_with_one_sentence():
     command = (sys.executable, "-m", "streamlit", "run", "app.py", "--server.port", "0", "--server.headless", "true")
     tlh = os.environ | {"RAMANUJAN_LANGUAGE": "tlh"}
-    result = subprocess.run(command, cwd=ROOT, env=tlh, capture_output=True, text=True, timeout=60, check=False)
+    result = subprocess.run(command, cwd=ROOT, env=tlh, capture_output=True, text=True, timeout=PATIENCE, check=False)
     assert result.stderr.endswith(f"RAMANUJAN_LANGUAGE must be one of {', '.join(language_ids())}. It is tlh.\n")
     assert "Traceback" not in result.stderr
     assert result.returncode == 1
@@ -95,5 +96,5 @@ def test_an_unknown_language_stops_the_start_with_one_sentence():
 def test_a_wrong_list_of_languages_is_named_at_the_import(languages):
     command = (sys.executable, "-c", "import ramanujan.text.translation")
     wrong = os.environ | {"RAMANUJAN_LANGUAGES": languages}
-    result = subprocess.run(command, cwd=ROOT, env=wrong, capture_output=True, text=True, timeout=60, check=False)
+    result = subprocess.run(command, cwd=ROOT, env=wrong, capture_output=True, text=True, timeout=PATIENCE, check=False)
     assert result.stderr.endswith(f"RAMANUJAN_LANGUAGES must be a list such as en:/,hu:/hu/. It is {languages}.\n")

@@ -14,6 +14,7 @@ from ramanujan.pages.used_by_shell import ENTRIES
 from ramanujan.shell import menu
 from tests.checks.browser import ROOT
 from tests.mutations import MUTATIONS
+from tests.settings import PATIENCE
 
 pytestmark = pytest.mark.xdist_group("rooms")
 
@@ -80,7 +81,7 @@ def room_of(module: str) -> str:
 
 def test_imports_go_down():
     command = [Path(sys.executable).with_name("lint-imports"), "--no-cache", "--no-logo"]
-    report = subprocess.run(command, cwd=ROOT, capture_output=True, text=True, timeout=120)
+    report = subprocess.run(command, cwd=ROOT, capture_output=True, text=True, timeout=PATIENCE)
     assert report.returncode == 0, report.stdout[-5000:] + report.stderr[-2000:]
 
 
@@ -118,7 +119,7 @@ for room in {OTHER_PAGES!r}:
 from ramanujan import motion as again
 assert again is motion is sys.modules["ramanujan.physics.motion"].motion
 """
-    done = subprocess.run([sys.executable, "-c", script], cwd=ROOT, capture_output=True, text=True, timeout=120)
+    done = subprocess.run([sys.executable, "-c", script], cwd=ROOT, capture_output=True, text=True, timeout=PATIENCE)
     assert done.returncode == 0, done.stderr[-2000:]
 
 

@@ -13,6 +13,7 @@ from playwright.sync_api import Page, expect
 from ramanujan.shell.theme import BODY_COLORS
 from tests.checks.bare import THEME
 from tests.checks.browser import STAGE, inside, module, next_frame, script, settle, traffic
+from tests.checks.engines import new_context
 from tests.checks.layout import ADDRESSES
 from tests.checks.look import rgb
 
@@ -32,7 +33,7 @@ The page requests its second run after drawing the machine, not because of the t
 
 @pytest.mark.parametrize(("height", "link"), [(720, "?k=20&m=7"), (2400, "")])
 def test_the_machine_appears_before_all_slow_elements_and_does_not_move(chromium, server, height, link):
-    page = chromium.new_page(viewport={"width": 1280, "height": height}, bypass_csp=True)
+    page = new_context(chromium, viewport={"width": 1280, "height": height}, bypass_csp=True).new_page()
     page.add_init_script(FIRST)
     held = []
     if link:  # a machine at rest, and the elements that wait for it
@@ -62,7 +63,7 @@ def test_the_machine_appears_before_all_slow_elements_and_does_not_move(chromium
     assert page.url.partition("?")[2] == ("k=20" if link else "")
     # Drawing the curve and the steps causes no jump.
     heights = page.evaluate("heights")
-    page.close()
+    page.context.close()
     assert len(heights) > 5
     assert max(heights) - min(heights) < 2
 
@@ -139,7 +140,7 @@ def check_assumptions(page, elsewhere):
 @pytest.mark.parametrize(("width", "height"), [(1280, 720), (390, 844)])
 def test_a_sketch_reserves_the_places_of_the_page_before_its_text(chromium, server, width, height):
     """Heading, text and picture have their places although the server does not answer."""
-    page = chromium.new_page(viewport={"width": width, "height": height}, bypass_csp=True)
+    page = new_context(chromium, viewport={"width": width, "height": height}, bypass_csp=True).new_page()
     page.route_web_socket(re.compile("_stcore"), lambda _silent: None)
     page.goto(server)
     page.wait_for_selector("[data-testid=stApp]", state="attached")
@@ -149,7 +150,7 @@ def test_a_sketch_reserves_the_places_of_the_page_before_its_text(chromium, serv
     paper = picture.getpixel((20, height - 20))
     for y in (80, 140, 300):
         assert picture.getpixel((50, y)) != paper, y
-    page.close()
+    page.context.close()
 
 
 # ---- the stage by keys, and as a file

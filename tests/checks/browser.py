@@ -100,7 +100,7 @@ def wait_for_start(address: str) -> str:
 def get(address: str, **headers: str) -> tuple[Message, bytes]:
     """Request a file with these headers. Return the headers and the content of the response."""
     names = {name.replace("_", "-"): value for name, value in headers.items()}
-    with urllib.request.urlopen(urllib.request.Request(address, headers=names), timeout=60) as response:
+    with urllib.request.urlopen(urllib.request.Request(address, headers=names), timeout=PATIENCE) as response:
         return response.headers, response.read()
 
 

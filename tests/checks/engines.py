@@ -84,6 +84,13 @@ def sample(engine: str) -> Callable[[Iterable[object]], list[object]]:
     return lambda cases: list(cases)[::step]
 
 
+def new_context(browser: object, **options: object) -> object:
+    """Open an isolated context, with Playwright's options, whose waits have the limit of all tests."""
+    context = browser.new_context(**options)
+    context.set_default_timeout(1000 * PATIENCE)
+    return context
+
+
 @pytest.fixture
 def window(request: pytest.FixtureRequest, engine: str, browsers: Callable) -> Iterator[Callable]:
     """Open an isolated window with reduced motion: window(width, height, engine)."""
@@ -95,9 +102,8 @@ def window(request: pytest.FixtureRequest, engine: str, browsers: Callable) -> I
                 stack.callback(browser.forget)
                 browser.set_viewport_size(size)
                 return browser
-            context = browser.new_context(viewport=size, reduced_motion="reduce", bypass_csp=True)
+            context = new_context(browser, viewport=size, reduced_motion="reduce", bypass_csp=True)
             stack.callback(context.close)
-            context.set_default_timeout(1000 * PATIENCE)
             context.add_init_script(REFUSED)
             page = context.new_page()
             request.node.stash.setdefault(PAGES, []).append(page)

@@ -67,7 +67,7 @@ class Network:
         return await asyncio.start_server(self._serve, "127.0.0.1", 0, limit=_HEAD)
 
     def _call(self, coroutine):
-        return asyncio.run_coroutine_threadsafe(coroutine, self._loop).result(timeout=30)
+        return asyncio.run_coroutine_threadsafe(coroutine, self._loop).result(timeout=PATIENCE)
 
     async def _break(self) -> None:
         self._up = False

@@ -36,7 +36,7 @@ class CoursePage:
 
     def __enter__(self) -> Self:
         self._thread.start()
-        assert self._ready.wait(timeout=30)
+        assert self._ready.wait(timeout=PATIENCE)
         return self
 
     def __exit__(self, *_: object) -> None:

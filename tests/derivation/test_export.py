@@ -19,7 +19,7 @@ from ramanujan.derivation.model import k, m, m_prime
 from ramanujan.derivation.nomenclature import nomenclature
 from ramanujan.derivation.numbers import Numbers
 from ramanujan.pages.derivation import cache as page
-from tests.settings import DEEP
+from tests.settings import DEEP, PATIENCE
 
 NUMBERS = Numbers(2.0, 2 * UNIT_MASS_RATIO, 7 / 3)
 
@@ -127,7 +127,7 @@ def executed(text: str, kernel: object) -> object:
     notebook = nbformat.reads(text, as_version=4)
     nbformat.validate(notebook)
     notebook.cells.insert(0, nbformat.v4.new_code_cell("%reset -f"))
-    NotebookClient(notebook, timeout=120, km=kernel).execute()
+    NotebookClient(notebook, timeout=PATIENCE, km=kernel).execute()
     return notebook
 
 

@@ -19,6 +19,8 @@ from playwright.sync_api import expect
 from ramanujan.browser import modules
 from ramanujan.browser.components.link import STANDALONE_FILE
 from tests.checks.browser import get, running
+from tests.checks.engines import new_context
+from tests.settings import PATIENCE
 
 pytestmark = pytest.mark.xdist_group("files")
 FOLDER = Path(streamlit.__file__).parent / "static"
@@ -80,10 +82,10 @@ def test_aborted_requests_do_not_damage_the_files_of_other_visitors(fresh, chrom
         chosen = [*chance.choices(requests, k=590), *([("/", "gzip")] * 10)]
         list(pool.map(lambda each: leave(*each, chance.uniform(0, 0.03)), chosen))
         for _ in range(5):
-            page = chromium.new_page()
+            page = new_context(chromium).new_page()
             page.goto(address, wait_until="commit")
             page.wait_for_timeout(chance.uniform(0, 300))
-            page.close()
+            page.context.close()
         answers = list(pool.map(lambda each: compare(*each), requests))
     assert answers[len(UNPACK) :] == [None] * (len(requests) - len(UNPACK))
     assert len({*answers[: len(UNPACK)]}) == 1
@@ -135,7 +137,7 @@ def test_a_page_makes_no_foreign_request_and_sends_no_referrer(fresh):
 def status(address: str, method: str = "GET", **headers: str) -> int:
     """Return the status of the response to a request."""
     try:
-        with urlopen(Request(address, method=method, headers=headers), timeout=60) as response:
+        with urlopen(Request(address, method=method, headers=headers), timeout=PATIENCE) as response:
             return response.status
     except HTTPError as error:
         return error.code
@@ -162,7 +164,7 @@ def test_an_address_outside_of_the_base_path_is_missing(fresh):
 
 
 def test_a_frame_without_an_origin_shows_a_sentence(fresh, chromium):
-    page = chromium.new_page()
+    page = new_context(chromium).new_page()
     page.set_content(f'<iframe sandbox="allow-scripts" src="{fresh}/motion"></iframe>')
     expect(page.frame_locator("iframe").get_by_text("The app cannot run here")).to_be_visible()
-    page.close()
+    page.context.close()

@@ -13,6 +13,7 @@ from ramanujan.classroom import rules
 from ramanujan.shell.class_keys import COOKIE
 from tests.checks.browser import CHROMIUM, get, settle, wait_for_start
 from tests.checks.deployed import HAPROXY, deployed
+from tests.checks.engines import new_context
 from tests.settings import skip_missing
 
 pytestmark = pytest.mark.xdist_group("deployment")
@@ -85,7 +86,7 @@ def test_the_proxy_does_not_serve_the_metrics(hall: deployed) -> None:
 
 
 def test_over_https_a_first_visit_is_small(hall: deployed, chromium: object) -> None:
-    context = chromium.new_context(ignore_https_errors=True, reduced_motion="reduce", bypass_csp=True)
+    context = new_context(chromium, ignore_https_errors=True, reduced_motion="reduce", bypass_csp=True)
     tab = context.new_page()
     client = context.new_cdp_session(tab)
     client.send("Network.enable")

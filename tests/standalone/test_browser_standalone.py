@@ -23,6 +23,7 @@ from ramanujan.shell.parameters import PARAMETERS
 from ramanujan.standalone import html
 from tests.checks.bare import serving
 from tests.checks.browser import next_frame
+from tests.checks.engines import new_context
 from tests.checks.reference import natural_frequency_squared
 
 MACHINE_KEYS = ("k", "m", "m_prime")
@@ -273,7 +274,7 @@ def test_every_formula_fits_on_a_phone(window, file, engine):
 
 @pytest.mark.parametrize("engine", ["chromium"])
 def test_without_scripts_the_file_shows_still_pictures(browsers, file, engine):
-    context = browsers(engine).new_context(java_script_enabled=False)
+    context = new_context(browsers(engine), java_script_enabled=False)
     page = context.new_page()
     page.goto(file.as_uri())
     for part in (".st-key-stage svg", ".st-key-stage p", ".curve .line"):
@@ -296,7 +297,7 @@ def framed_by_another_site(file: Path, folder: Path) -> Iterator[str]:
 @pytest.mark.parametrize("engine", ["chromium", "firefox"])
 def test_the_file_in_a_frame_of_another_site_makes_no_request(browsers, file, engine, tmp_path):
     """The frame is sandboxed, with the content security policy in effect; keyboard and touch work in it."""
-    context = browsers(engine).new_context(viewport={"width": 1000, "height": 760}, reduced_motion="reduce")
+    context = new_context(browsers(engine), viewport={"width": 1000, "height": 760}, reduced_motion="reduce")
     page, requests, errors = context.new_page(), [], []
     page.on("request", lambda request: requests.append(request.url))
     page.on("pageerror", lambda error: errors.append(str(error)))

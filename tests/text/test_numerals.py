@@ -13,6 +13,7 @@ from ramanujan.browser import modules
 from ramanujan.text import numerals
 from tests.checks.browser import NODE
 from tests.checks.reading import read
+from tests.settings import PATIENCE
 
 source = random.Random(1729)
 VALUES = [
@@ -93,7 +94,7 @@ console.log(JSON.stringify({{
   fixed: inputs.places.map((places) => inputs.values.map((value) => fixed(value, places))),
   filled: fill("{{a}} before {{b}}", {{ a: 1, b: withUnit(fixed(-2, 1), "cm") }}),
 }}));"""
-    done = subprocess.run([NODE, "-e", script], capture_output=True, text=True, check=True, timeout=60)
+    done = subprocess.run([NODE, "-e", script], capture_output=True, text=True, check=True, timeout=PATIENCE)
     results = json.loads(done.stdout)
     assert results["filled"] == f"1 before −2{mark}0\u202fcm"
     for digits, texts in zip(inputs["digits"], results["number"], strict=True):

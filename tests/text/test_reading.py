@@ -11,6 +11,7 @@ from ramanujan import browser
 from ramanujan.text.reading import read_number, two_readings
 from tests.checks.browser import NODE
 from tests.checks.typed_numbers import SCIENTIFIC, TYPED_NUMBERS
+from tests.settings import PATIENCE
 
 TABLE = TYPED_NUMBERS | SCIENTIFIC
 SCRIPT = (Path(browser.__file__).parent / "numbers.js").read_text(encoding="utf-8")
@@ -56,7 +57,7 @@ const results = {json.dumps(list(cases))}.map((text) => {{
   return readings ? [value, readings.text, readings.decimal, readings.whole] : value;
 }});
 console.log(JSON.stringify(results));"""
-    done = subprocess.run([NODE, "-e", script], capture_output=True, text=True, check=True, timeout=60)
+    done = subprocess.run([NODE, "-e", script], capture_output=True, text=True, check=True, timeout=PATIENCE)
     for (text, expected), result in zip(cases.items(), json.loads(done.stdout), strict=True):
         if isinstance(expected, tuple):
             assert result == [None, two_readings(text, mark)["text"], *expected], text

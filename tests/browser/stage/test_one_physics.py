@@ -13,6 +13,7 @@ from ramanujan.browser.stage.formulas import collect_formulas as stage_formulas
 from ramanujan.derivation.model import COORDINATES, VELOCITIES, R, t
 from ramanujan.derivation.printers import javascript
 from tests.checks.browser import NODE
+from tests.settings import PATIENCE
 
 
 def flat(formulas, prefix=""):
@@ -34,7 +35,7 @@ def test_the_browser_computes_the_expressions_of_the_derivation():
     entries = "Object.entries(formulas).map(([name, formula]) => [name, formula(values)])"
     script = f"const formulas = {javascript(formulas)}, values = {json.dumps(values)};"
     script += f"console.log(JSON.stringify(Object.fromEntries({entries})));"
-    done = subprocess.run([NODE, "-e", script], capture_output=True, text=True, check=True, timeout=60)
+    done = subprocess.run([NODE, "-e", script], capture_output=True, text=True, check=True, timeout=PATIENCE)
     assert len(formulas) > 30
     for name, computed in json.loads(done.stdout).items():
         expected = sp.lambdify(list(names), formulas[name], "numpy")(*(values[given] for given in names.values()))

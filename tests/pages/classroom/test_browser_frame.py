@@ -5,6 +5,7 @@ from playwright.sync_api import expect
 
 from ramanujan import lesson
 from ramanujan.classroom.rules import shared
+from tests.checks.engines import new_context
 from tests.checks.two_sites import CoursePage
 
 STOP = lesson.STOPS[0]
@@ -15,8 +16,7 @@ OPTION = ".st-key-class_phone [role=radiogroup] label"
 def test_a_pupil_in_a_frame_gets_one_seat_in_a_tab(browsers, server, engine, secure):
     opened = shared().open_class()
     shared().ask(opened.key, STOP.id, list(STOP.options))
-    context = browsers(engine).new_context(ignore_https_errors=True, reduced_motion="reduce")
-    context.set_default_timeout(20_000)
+    context = new_context(browsers(engine), ignore_https_errors=True, reduced_motion="reduce")
     with CoursePage(server, f"lesson?class={opened.code}&embed=true", secure=secure) as course:
         tab = context.new_page()
         for _visit in range(2):
