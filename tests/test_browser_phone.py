@@ -134,11 +134,11 @@ def check_sliders(phone: Phone) -> None:
 
 def check_return(phone: Phone) -> None:
     """Check that opening the drawer scrolls to the machine, and closing it scrolls back to the text."""
-    phone.page.evaluate(f"{SCROLLED} = 900")
+    phone.page.evaluate(f"{SCROLLED} = 400")
     phone.handle()
     assert phone.box("svg.machine")["y"] >= 0
     phone.handle()
-    phone.page.wait_for_function(f"Math.abs({SCROLLED} - 900) <= 2")
+    phone.page.wait_for_function(f"Math.abs({SCROLLED} - 400) <= 2")
 
 
 def check_stop(phone: Phone) -> None:

@@ -9,7 +9,7 @@ Plotly would produce. A test validates each of them with Plotly.
 """
 
 import base64
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Mapping, Sequence
 from typing import Any
 
 import numpy as np
@@ -118,6 +118,30 @@ def note(name: str, color: str | None, x: float, y: float) -> dict[str, Any]:
     font = {"size": 13} | ({"color": color} if color else {})
     words = {"text": name, "font": font, "showarrow": False, "borderpad": 0}
     return words | {"x": float(x), "y": float(y), "xref": "x", "yref": "y"}
+
+
+def spread(heights: Sequence[float], halves: Sequence[float], low: float, high: float) -> list[float]:
+    """Return heights of names near the ends of their lines, without overlaps and between two edges.
+
+    Parameters
+    ----------
+    heights : of the ends, from top to bottom
+    halves : half the height of each name
+    low, high : the edges
+
+    >>> spread([9.0, 4.0, 4.0, 0.0], [1.0] * 4, 0.0, 10.0)
+    [9.0, 5.0, 3.0, 1.0]
+    """
+    places = list(heights)
+    # Move neighbours apart by equal distances until no two names overlap.
+    for _step in range(200):
+        for n in range(1, len(places)):
+            overlap = max(0.0, places[n] + halves[n] + halves[n - 1] - places[n - 1])
+            places[n - 1] += overlap / 2
+            places[n] -= overlap / 2
+        places[0] = min(places[0], high - halves[0])
+        places[-1] = max(places[-1], low + halves[-1])
+    return places
 
 
 def encode_figure(traces: Iterable[Mapping[str, Any]], layout: Mapping[str, Any]) -> EncodedFigure:

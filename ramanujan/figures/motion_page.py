@@ -2,19 +2,22 @@
 
 import math
 import re
+import textwrap
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
-from itertools import groupby, product
+from itertools import groupby
 from typing import Any
 
 import numpy as np
 
-from ramanujan.figures import NO_NAME, EncodedFigure, build_figure, legend, line, note
+from ramanujan.figures import NO_NAME, EncodedFigure, build_figure, legend, line, note, spread
 from ramanujan.text.numerals import fixed, number
 from ramanujan.text.translation import _
 
-_HEIGHT = 420
-"""The total height of the panels and the gaps between them [px]."""
+_HEIGHT, _HEIGHT_OF_TWO = 356, 420
+"""The height of one panel, and of two panels with the gap between them [px]."""
+_FLAT_HEIGHT, _FLATTEST = 244, 2.2
+"""The height of a phase plane that is much wider than high [px], and the largest ratio of its width to its height."""
 _GAP = 0.12
 """The gap between two panels, in fractions of the plotting area."""
 _BELOW = 48
@@ -22,17 +25,20 @@ _ABOVE = 28
 """The margins below and above the plotting area [px]."""
 _LEAST_HEIGHT = 0.07
 """The least height of an area with a name, in fractions of the axis: the letters of a slide."""
-
-_LETTER_WIDTH = 0.0105
-"""The width of a letter on a line of a slide, in fractions of the plotting area."""
+_LEADER = 16
+"""The length of the line from the end of a curve to its name [px]."""
+_LINE_HEIGHT = {1: 0.095, 2: 0.11}
+"""Number of panels → the height of a line of a name, in fractions of its panel. A single panel may be on a slide."""
+_LONGEST_NAME = 17
+"""The largest number of letters of a name in one line."""
 
 
 @dataclass(frozen=True)
 class TimeCurve:
     """A curve against time, with its values at equal steps.
 
-    `name` appears in the hover text, `label` in the legend, once for all curves with the same label, or on the line in
-    the colour `ink`. Curves that are `is_stacked` are filled and lie on top of each other.
+    `name` appears in the hover text, and `label` in the colour `ink` at the end of the line or in the legend. Curves
+    that are `is_stacked` are filled and lie on top of each other.
     """
 
     name: str
@@ -62,9 +68,11 @@ class Panel:
 
 
 def draw_time_panels(
-    panels: Sequence[Panel], *, period: float, periods: int, colors: Mapping[str, str], names_lines: bool = False
+    panels: Sequence[Panel], *, period: float, periods: int, colors: Mapping[str, str]
 ) -> EncodedFigure:
     """Draw panels above each other with one time axis that starts at release.
+
+    Each line has its name at its end, and each stacked area in the area or above it.
 
     Parameters
     ----------
@@ -72,31 +80,25 @@ def draw_time_panels(
     period : of the machine [s]; a line marks the end of the first period
     periods : number of periods on the time axis, at least one
     colors : ink, faint and paper
-    names_lines : whether the names are on the lines of the first panel instead of in the legend, if there is room
     """
     end = period * periods
     axes: dict[str, Any] = {}
     traces: list[dict[str, Any]] = []
-    named: dict[tuple[str, ...], dict[str, Any]] = {}
-    first = panels[0]
-    if first.curves[0].is_stacked:
-        named = _name_stack(first, end, colors)
-    elif names_lines:
-        times = np.linspace(0, end, len(first.curves[0].values))
-        values = [curve.values for curve in first.curves]
-        named = _name_lines(first.curves, [times] * len(values), values, (0, end), first.range, 0.1)
-    labels = set().union(*named)
+    notes: list[dict[str, Any]] = []
+    shapes = [_vertical_line(period, {"color": colors["ink"], "width": 1, "dash": "dot"}, layer="below")]
     for place, (panel, domain) in enumerate(zip(panels, _domains(len(panels)), strict=True), start=1):
         axis = "y" if place == 1 else f"y{place}"
-        for curve in panel.curves:
-            traces.append(
-                _trace(curve, panel, axis, end, has_several_panels=len(panels) > 1, is_named=curve.label not in labels)
-            )
-            labels.add(curve.label)
+        traces += [_trace(curve, panel, axis, end, has_several_panels=len(panels) > 1) for curve in panel.curves]
         title = _("{quantity} [{unit}]").format(quantity=panel.title, unit=panel.unit)
         axes[f"yaxis{axis[1:]}"] = _axis(title, panel.range, domain=domain, nticks=6, **_zero_line(colors))
-    end_of_first_period = _vertical_line(period, {"color": colors["ink"], "width": 1, "dash": "dot"}, layer="below")
-    notes = [_text_above(period, _("one period"), font={"size": 12}), *named.values()]
+        if panel.curves[0].is_stacked:
+            notes += _name_stack(panel, end, colors)
+            continue
+        names = f"y{len(panels) + place}"
+        leaders, tick_labels = _name_lines(panel, names, _LINE_HEIGHT[len(panels)])
+        shapes += leaders
+        axes[f"yaxis{names[1:]}"] = _axis("", panel.range, domain=domain, overlaying=axis, **tick_labels)
+    notes.append(_text_above(period, _("one period"), font={"size": 12}))
     hover_title = {"text": "<i>t</i> = %{x:.4~g} s"}
     time_axis = _axis(
         _("time after release <i>t</i> [s]"), (0, end), anchor="free", position=0, unifiedhovertitle=hover_title
@@ -104,12 +106,12 @@ def draw_time_panels(
     return _lay_out(
         traces,
         colors,
-        shapes=[end_of_first_period],
+        height=_HEIGHT if len(panels) == 1 else _HEIGHT_OF_TWO,
+        shapes=shapes,
         annotations=notes,
         meta={"cursor": "time", "period": period, "periods": periods},
         xaxis=time_axis,
         **axes,
-        **legend(),
         # One small hover box for all panels hides little of the curves.
         hovermode="x unified",
         hoversubplots="axis",
@@ -149,18 +151,25 @@ def draw_phase_plane(
     # With the constraint "range", each change of the window would widen the ranges further.
     centred = {**_zero_line(colors), "nticks": 7, "constrain": "domain"}
     displacement_range, (low, high) = ranges
-    # A long drift does not flatten the plane: it is at least as high as a third of its width.
-    margin = max(0.0, float(np.ptp(displacement_range)) / 3 - (high - low)) / 2
+    # A long drift does not flatten the plane further than the height of its figure.
+    margin = max(0.0, float(np.ptp(displacement_range)) / _FLATTEST - (high - low)) / 2
     velocity_range = low - margin, high + margin
     return _lay_out(
         traces,
         colors,
+        height=_FLAT_HEIGHT if is_flat(ranges) else _HEIGHT_OF_TWO,
         xaxis=_axis(_("displacement [cm]"), displacement_range, **centred),
-        yaxis=_axis(_("velocity <i>v</i>/Ω [cm]"), velocity_range, scaleanchor="x", **centred),
+        yaxis=_axis(_("velocity <i>v</i>/Ω [cm]"), velocity_range, scaleanchor="x", constraintoward="top", **centred),
         hovermode="closest",
         meta={"cursor": "orbit", "period": period, "periods": periods},
         **legend(),
     )
+
+
+def is_flat(ranges: tuple[tuple[float, float], tuple[float, float]]) -> bool:
+    """Return whether a drift makes the phase plane with these ranges much wider than high."""
+    displacements, velocities = map(np.ptp, ranges)
+    return bool(displacements > 1.6 * velocities)
 
 
 def draw_friction_bars(
@@ -219,9 +228,7 @@ def round_up(value: float) -> float:
     return next((digit * power for digit in (1, 1.5, 2, 3, 4, 5, 7) if digit * power >= value), 10 * power)
 
 
-def _lay_out(
-    traces: list[dict[str, Any]], colors: Mapping[str, str], *, height: int = _HEIGHT, **layout: Any
-) -> EncodedFigure:
+def _lay_out(traces: list[dict[str, Any]], colors: Mapping[str, str], *, height: int, **layout: Any) -> EncodedFigure:
     margin = {"t": _ABOVE, "b": _BELOW, "l": 64}
     return build_figure(traces, colors, height + _BELOW + _ABOVE, margin=margin, uirevision="stay", **layout)
 
@@ -247,8 +254,8 @@ def _text_above(x: float, text: str, **more: Any) -> dict[str, Any]:
     return {"x": x, "y": 1, "yref": "paper", "yanchor": "bottom", "text": text, "showarrow": False, **more}
 
 
-def _name_stack(panel: Panel, end: float, colors: Mapping[str, str]) -> dict[tuple[str, ...], dict[str, Any]]:
-    """Return label → annotation for each stacked area of a panel, and for its last curve, their constant sum.
+def _name_stack(panel: Panel, end: float, colors: Mapping[str, str]) -> list[dict[str, Any]]:
+    """Return an annotation for each stacked area of a panel, and for its last curve, their constant sum.
 
     The name of an area is where it is highest, in front of the line after one period. An area that is too low for
     letters has its name above the sum, with a line to the area.
@@ -257,8 +264,7 @@ def _name_stack(panel: Panel, end: float, colors: Mapping[str, str]) -> dict[tup
     last = len(total.values) - 1
     above = (total.values[0] + panel.range[1]) / 2
     sum_name = note(_in_ink(total), None, 0, total.values[0])
-    names: dict[tuple[str, ...], dict[str, Any]] = {}
-    names[(total.label,)] = sum_name | {"xanchor": "left", "yanchor": "bottom", "xshift": 6}
+    names = [sum_name | {"xanchor": "left", "yanchor": "bottom", "xshift": 6}]
     # A name above the sum takes a quarter of the time axis. The first quarter has the name of the sum.
     free_quarters = [2, 3, 1]
     floor = np.zeros_like(total.values)
@@ -269,14 +275,14 @@ def _name_stack(panel: Panel, end: float, colors: Mapping[str, str]) -> dict[tup
         if height[crest] > _LEAST_HEIGHT * panel.range[1]:
             # Near the top of a high area, a name does not touch the names in the areas beside it.
             above_floor = max(height[crest] / 2, height[crest] - panel.range[1] / 10)
-            names[(label,)] = note(label, None, end * crest / last, floor[crest] + above_floor)
+            names.append(note(label, None, end * crest / last, floor[crest] + above_floor))
         elif free_quarters and height.any():
             quarter = free_quarters.pop(0)
             crest = _crest(height, quarter * last // 4, (quarter + 1) * last // 4)
             time = end * crest / last
             line_to_area = {"showarrow": True, "arrowhead": 6, "arrowwidth": 1.5, "arrowcolor": colors["ink"]}
             start = {"axref": "x", "ayref": "y", "ax": time, "ay": float(above)}
-            names[(label,)] = note(label, None, time, floor[crest] + height[crest] / 2) | line_to_area | start
+            names.append(note(label, None, time, floor[crest] + height[crest] / 2) | line_to_area | start)
         floor = floor + height
     return names
 
@@ -287,94 +293,46 @@ def _crest(values: np.ndarray, first: int, last: int) -> int:
 
 
 def _in_ink(curve: TimeCurve) -> str:
-    """Return the label of a curve in its colour for words."""
-    return f'<span style="color:{curve.ink}">{curve.label}</span>'
+    """Return the label of a curve in its colour for words, a long one in lines that end at a space or a dash."""
+    lines = [curve.label]
+    if len(re.sub("<.*?>", "", curve.label)) > _LONGEST_NAME:
+        lines = textwrap.wrap(curve.label.replace("–", "– "), _LONGEST_NAME)
+    return f'<span style="color:{curve.ink}">{"<br>".join(lines).replace("– ", "–")}</span>'
 
 
-def _name_lines(
-    curves: Sequence[TimeCurve],
-    abscissas: Sequence[np.ndarray],
-    ordinates: Sequence[np.ndarray],
-    abscissa_range: tuple[float, float],
-    ordinate_range: tuple[float, float],
-    letter_height: float,
-) -> dict[tuple[str, ...], dict[str, Any]]:
-    """Return labels → annotation just above or below its curve, where it has the most room.
+def _name_lines(panel: Panel, axis: str, line_height: float) -> tuple[list[dict[str, Any]], dict[str, Any]]:
+    """Return a leader from the end of each line to its name, and the names as tick labels of an axis at the right.
 
-    Curves that coincide share one annotation. A curve without room for its label has none.
+    Plotly widens the margin for tick labels, but not for annotations. Lines that end at one point have their names in
+    the order in which they arrive there.
 
     Parameters
     ----------
-    curves : their labels and inks
-    abscissas, ordinates : their points, for each curve two arrays of equal length
-    abscissa_range, ordinate_range : of the axes
-    letter_height : in fractions of the plotting area
+    panel : the lines
+    axis : of the names
+    line_height : of a name, in fractions of the panel
     """
-    left, right = abscissa_range
-    bottom, top = ordinate_range
-    paths = [
-        np.array([(x - left) / (right - left), (y - bottom) / (top - bottom)])
-        for x, y in zip(abscissas, ordinates, strict=True)
+    low, high = panel.range
+    height = high - low
+    before_end = len(panel.curves[0].values) * 15 // 16
+
+    def order(curve: TimeCurve) -> tuple[float, float]:
+        # Lines that end closer together than a pixel end at one point.
+        return round(float(curve.values[-1]) / height, 3), float(curve.values[before_end])
+
+    curves = sorted(panel.curves, key=order, reverse=True)
+    ends = [float(curve.values[-1]) for curve in curves]
+    texts = [_in_ink(curve) for curve in curves]
+    halves = [height * line_height * (text.count("<br>") + 1) / 2 for text in texts]
+    levels = spread(ends, halves, low, high)
+    leader = {"type": "line", "xref": "paper", "xsizemode": "pixel", "xanchor": 1, "x0": 0, "x1": _LEADER, "yref": axis}
+    leaders = [
+        leader | {"y0": end, "y1": level, "line": {"color": curve.color, "width": 1.5}}
+        for curve, end, level in zip(curves, ends, levels, strict=True)
     ]
-    groups: list[list[int]] = []
-    for index, path in enumerate(paths):
-        same = next((group for group in groups if np.allclose(paths[group[0]], path, atol=2e-3)), None)
-        if same:
-            same.append(index)
-        else:
-            groups.append([index])
-    names: dict[tuple[str, ...], dict[str, Any]] = {}
-    taken: list[tuple[np.ndarray, np.ndarray]] = []
-    for group in groups:
-        letters = re.sub("<.*?>", "", ", ".join(curves[index].label for index in group))
-        size = np.array([_LETTER_WIDTH * (len(letters) + 2), letter_height])
-        path = paths[group[0]]
-        others = np.concatenate([other for index, other in enumerate(paths) if index not in group] or [path], axis=1)
-        place = _find_place(path, others, size, taken)
-        if place is None:
-            continue
-        index, side = place
-        taken.append((_centre(path, index, side, size), size))
-        text = ", ".join(_in_ink(curves[each]) for each in group)
-        words = note(text, None, abscissas[group[0]][index], ordinates[group[0]][index])
-        anchor = {"yanchor": "bottom" if side > 0 else "top", "yshift": 4 * side}
-        names[tuple(curves[each].label for each in group)] = words | anchor
-    return names
-
-
-def _find_place(
-    path: np.ndarray, others: np.ndarray, size: np.ndarray, taken: Sequence[tuple[np.ndarray, np.ndarray]]
-) -> tuple[int, int] | None:
-    """Return the point of a curve, and the side (1 above, −1 below), at which a label has the most room, or None.
-
-    Parameters
-    ----------
-    path, others : the points of the curve, and those of all other curves, in fractions of the plotting area
-    size : width and height of the label
-    taken : centre and size of the other labels
-    """
-    best = None
-    for index, side in product(range(0, path.shape[1], 4), (1, -1)):
-        centre = _centre(path, index, side, size)
-        is_inside = np.all(centre >= size / 2) and np.all(centre <= 1 - size / 2)
-        if not is_inside or any(np.all(abs(centre - place) < (size + extent) / 2) for place, extent in taken):
-            continue
-        touched = _count_inside(path, centre, size) + _count_inside(others, centre, size)
-        # Among equal places, choose the one that is farthest from other curves.
-        cost = touched, _count_inside(others, centre, size * [1, 3])
-        if best is None or cost < best[0]:
-            best = cost, (index, side)
-    return best and best[1]
-
-
-def _centre(path: np.ndarray, index: int, side: int, size: np.ndarray) -> np.ndarray:
-    """Return the centre of a label above or below a point of a curve."""
-    return path[:, index] + [0, side * 0.7 * size[1]]
-
-
-def _count_inside(points: np.ndarray, centre: np.ndarray, size: np.ndarray) -> int:
-    """Return the number of points in a rectangle."""
-    return int(np.sum(np.all(abs(points - centre[:, None]) < size[:, None] / 2, axis=0)))
+    room_for_leaders = {"ticks": "outside", "ticklen": _LEADER + 2, "tickcolor": "rgba(0,0,0,0)"}
+    names = {"side": "right", "showgrid": False, "showline": False, "tickvals": levels, "ticktext": texts}
+    return leaders, names | room_for_leaders
 
 
 def _domains(panels: int) -> list[list[float]]:
@@ -387,9 +345,7 @@ def _domains(panels: int) -> list[list[float]]:
     return domains
 
 
-def _trace(
-    curve: TimeCurve, panel: Panel, axis: str, end: float, *, has_several_panels: bool, is_named: bool
-) -> dict[str, Any]:
+def _trace(curve: TimeCurve, panel: Panel, axis: str, end: float, *, has_several_panels: bool) -> dict[str, Any]:
     # TRANSLATORS: at a curve under the pointer: "hoop: 3.2 cm".
     hover = _("{name}: {value} {unit}").format(name=curve.name, value="%{y}", unit=panel.unit) + NO_NAME
     if has_several_panels and curve is panel.curves[0]:
@@ -403,8 +359,6 @@ def _trace(
         "y": curve.values.astype(np.float32),
         "yaxis": axis,
         "name": curve.label,
-        "legendgroup": curve.label,
-        "showlegend": is_named,
         "mode": "lines",
         "line": curve.look,
         # By default Plotly writes a space before the colon.

@@ -6,7 +6,7 @@ from typing import Any
 
 import numpy as np
 
-from ramanujan.figures import EncodedFigure, build_figure, line, logarithmic, marks, note
+from ramanujan.figures import EncodedFigure, build_figure, line, logarithmic, marks, note, spread
 from ramanujan.figures.logarithmic import Colors, axis, level_line, log_axis, method_look, select_drawable
 from ramanujan.text.numerals import number
 from ramanujan.text.translation import _, ngettext
@@ -261,16 +261,8 @@ def _name_lines(
     names = sorted(line_ends, key=lambda name: -line_ends[name][1])
     labels = [name if len(name) <= _LONGEST_NAME else name.replace(" ", "<br>", 1) for name in names]
     halves = [(high - low) * _LINE_HEIGHT * (label.count("<br>") + 1) / 2 for label in labels]
-    heights = [float(np.clip(np.log10(line_ends[name][1]), low, high)) for name in names]
-    # Move neighbours apart by equal distances until no two names overlap.
-    for _step in range(200):
-        for n in range(1, len(names)):
-            overlap = max(0.0, heights[n] + halves[n] + halves[n - 1] - heights[n - 1])
-            heights[n - 1] += overlap / 2
-            heights[n] -= overlap / 2
-        heights[0] = min(heights[0], high - halves[0])
-        heights[-1] = max(heights[-1], low + halves[-1])
-    levels = [10.0**height for height in heights]
+    ends = [float(np.clip(np.log10(line_ends[name][1]), low, high)) for name in names]
+    levels = [10.0**height for height in spread(ends, halves, low, high)]
     edge = right * 10**0.1
     leaders = []
     for name, level in zip(names, levels, strict=True):

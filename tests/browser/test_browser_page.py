@@ -72,7 +72,7 @@ def test_the_machine_appears_before_all_slow_elements_and_does_not_move(chromium
 
 
 def test_events_are_announced_once_and_the_assumptions_about_the_host_pages_are_true(visit):
-    page = visit("motion?mu=1.5")
+    page = visit("motion?mu=1.5&figure=forces")
     page.emulate_media(reduced_motion="no-preference")
     region = page.locator(REGION)
     page.evaluate(

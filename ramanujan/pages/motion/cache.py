@@ -11,6 +11,7 @@ import streamlit as st
 from ramanujan import Oscillator, drawn_spacing
 from ramanujan.figures import EncodedFigure
 from ramanujan.figures.motion_page import Panel, TimeCurve, draw_phase_plane, draw_time_panels, round_up, step_range
+from ramanujan.figures.motion_page import is_flat as is_flat_plane
 from ramanujan.physics.record import Record
 from ramanujan.physics.record import record as take_record
 from ramanujan.shell import theme
@@ -75,7 +76,7 @@ def figures(
     glide: float,
     spin: float,
     *,
-    is_projector: bool = False,
+    is_split: bool = False,
 ) -> dict[str, EncodedFigure]:
     """Return the figures of a view over time in the current theme, each with the titles of its panels.
 
@@ -84,22 +85,22 @@ def figures(
     view : a key of `VIEWS`
     light_or_dark : name of the current theme, a key of the cache
     machine, compression, glide, spin : as for `record`
-    is_projector : whether each panel is a figure of its own, with the names on its lines
+    is_split : whether each panel is a figure of its own
     """
     motion = record(machine, compression, glide, spin)
-    return draw_over_time(view, motion, theme.colors(), is_projector=is_projector)
+    return draw_over_time(view, motion, theme.colors(), is_split=is_split)
 
 
 def draw_over_time(
-    view: str, motion: Record, colors: Mapping[str, str], *, is_projector: bool = False
+    view: str, motion: Record, colors: Mapping[str, str], *, is_split: bool = False
 ) -> dict[str, EncodedFigure]:
     """Draw the figures of a view without the cache; parameters as for `figures`."""
     panels = VIEWS[view](motion, colors)
     return {
         ", ".join(panel.title for panel in shown): draw_time_panels(
-            shown, period=motion.oscillator.period, periods=PERIODS, colors=colors, names_lines=is_projector
+            shown, period=motion.oscillator.period, periods=PERIODS, colors=colors
         )
-        for shown in ([[panel] for panel in panels] if is_projector else [panels])
+        for shown in ([[panel] for panel in panels] if is_split else [panels])
     }
 
 
@@ -139,6 +140,11 @@ def draw_orbits(frame: str, motion: Record, colors: Mapping[str, str]) -> Encode
         periods=PERIODS,
         colors=colors,
     )
+
+
+def is_flat(frame: str, motion: Record) -> bool:
+    """Return whether a drift makes the phase plane in a frame of reference much wider than high."""
+    return is_flat_plane(_ranges(frame, motion))
 
 
 def relative_to(frame: str, motion: Record) -> tuple[dict[str, np.ndarray], dict[str, np.ndarray]]:

@@ -1,6 +1,8 @@
 """Page 3: the motion over time, its conserved quantities, its zero modes, and the required friction."""
 
-from contextlib import nullcontext
+from contextlib import AbstractContextManager, nullcontext
+from functools import partial
+from typing import Any
 
 import streamlit as st
 
@@ -12,7 +14,7 @@ from ramanujan.pages.motion.plots import Friction
 from ramanujan.physics.contact import first_to_slip, largest_compression
 from ramanujan.physics.record import Record
 from ramanujan.shell import address, display_mode, sidebar, stages, theme, widgets
-from ramanujan.shell.display_mode import columns, slide
+from ramanujan.shell.display_mode import columns, folded, slide
 from ramanujan.shell.parameters import GLIDE, PARAMETERS, SPIN, Parameter
 from ramanujan.text.numerals import filled, fixed
 from ramanujan.text.translation import _
@@ -32,39 +34,53 @@ URL_PARAMETERS = (GLIDE, SPIN, MU, FIGURE, PLANE)
 def show() -> None:
     """Draw the page: machine and settings beside the figures, and below them the record as a file."""
     machine, compression = sidebar.oscillator(), sidebar.compression()
+    is_projector = display_mode.is_projector()
     with slide("machine", _("The machine")):
         machine_column, figure_column = columns("machine")
         with machine_column:
             st.title(_("Motion"), anchor=False)
-        with figure_column:
             st.markdown(_("What moves how far? Where does the energy go? Which contact slips first?"))
-        with machine_column:
-            verdict = nullcontext() if display_mode.is_projector() else st.container()
             picture, words = display_mode.picture_and_words(2)
             with picture:
-                scene = st.container(key="without_dials")
+                scene, verdict = st.container(key="without_dials"), st.container()
             with words:
-                glide, spin = widgets.page_slider(GLIDE), widgets.page_slider(SPIN)
-                if not display_mode.is_projector():
-                    plots.explain_zero_modes()
-                mu = widgets.page_slider(MU)
+                with choose_initial_velocities():
+                    glide, spin = widgets.page_slider(GLIDE), widgets.page_slider(SPIN)
+                    if not is_projector:
+                        plots.explain_zero_modes()
+                contacts = st.container()
         setting = (machine, compression, glide, spin)
         motion = cache.record(*setting)
-        largest = largest_compression(machine, mu, spacing=motion.spacing)
-        friction = Friction(mu, largest, first_to_slip(machine, largest, motion.spacing))
+        largest = largest_compression(machine, MU.in_si, spacing=motion.spacing)
+        friction = Friction(MU.in_si, largest, first_to_slip(machine, largest, motion.spacing))
         with scene:
             draw_machine(motion, friction)
-            if not display_mode.is_projector():
+            if not is_projector:
                 cursor.mount("motion")
-        with picture if display_mode.is_projector() else verdict, st.container(key="verdict"):
-            draw_verdict(friction, compression)
+        heading, sentence = describe_friction(friction, compression)
+        if not is_projector:
+            # The line of the fold is the verdict, in every view. It is open where the forces are drawn.
+            is_open = address.current(FIGURE) == "forces"
+            contacts = verdict = contacts.expander(heading, expanded=is_open, key=f"contacts_{is_open}")
+        with contacts:
+            widgets.page_slider(MU)
+        with verdict:
+            st.markdown(f"{heading} {sentence}" if is_projector else sentence)
     # In the projector view the time cursor is on every slide.
-    if display_mode.is_projector():
+    if is_projector:
         cursor.mount("motion")
     with figure_column:
         draw_figures(motion, friction, setting)
-        if not display_mode.is_projector():
-            offer_files(motion, mu)
+        if not is_projector:
+            offer_files(motion, friction.coefficient)
+
+
+def choose_initial_velocities() -> AbstractContextManager[Any]:
+    """Return the fold of the initial velocities, open if the address contains one; no fold in the projector view."""
+    if display_mode.is_projector():
+        return nullcontext()
+    is_open = any(parameter.value for parameter in (GLIDE, SPIN))
+    return st.expander(_("Give the machine an initial velocity"), expanded=is_open, key="initial_velocities")
 
 
 def draw_machine(motion: Record, friction: Friction) -> None:
@@ -80,22 +96,23 @@ def draw_machine(motion: Record, friction: Friction) -> None:
     )
 
 
-def draw_verdict(friction: Friction, compression: float) -> None:
-    """Draw whether every contact rolls. The two texts have about the same length, so that nothing else moves."""
+def describe_friction(friction: Friction, compression: float) -> tuple[str, str]:
+    """Return whether every contact rolls, and up to which compression."""
+    # An alert of Streamlit would be a second live region, and the stage already announces the slipping contact.
     if compression <= friction.largest:
+        heading = _(":green[:material/check_circle: **Every contact rolls without slipping.**]")
         sentence = _(
-            ":green[:material/check_circle: **Every contact rolls without slipping.**] With μ\u00a0=\u00a0{mu} this is "
-            "true up to x₀\u00a0=\u00a0{largest:3↓ cm}. Beyond that, the contact between **{contact}** slips first."
+            "With μ = {mu} this is true up to x₀ = {largest:3↓ cm}. Beyond that, the contact "
+            "between **{contact}** slips first."
         )
     else:
+        heading = _(":red[:material/error: **The model no longer holds.**]")
         sentence = _(
-            ":red[:material/error: **The model no longer holds.**] With μ\u00a0=\u00a0{mu}, the contact between "
-            "**{contact}** slips from x₀\u00a0=\u00a0{largest:3↑ cm} on. The picture still shows rolling."
+            "With μ = {mu}, the contact between **{contact}** slips from x₀ = {largest:3↑ cm} on. "
+            "The picture still shows rolling."
         )
-    # An alert of Streamlit would be a second live region, and the stage already announces the slipping contact.
     values = {"mu": fixed(friction.coefficient, 2), "largest": 100 * friction.largest}
-    text = filled(sentence, **values, contact=cache.CONTACTS[friction.first])
-    st.markdown(text)
+    return heading, filled(sentence, **values, contact=cache.CONTACTS[friction.first])
 
 
 def offer_files(motion: Record, mu: float) -> None:
@@ -116,37 +133,53 @@ def draw_figures(motion: Record, friction: Friction, setting: cache.ReleaseParam
         "forces": plots.draw_contact_forces,
     }
     is_projector = display_mode.is_projector()
-    # The address keeps the frame of the phase plane while another view is open.
+    # The address keeps the frame of reference while another view is open.
     address.update(PLANE)
     if is_projector:
         containers = dict.fromkeys(FIGURES, nullcontext())
     else:
         containers = {view: tab for view, tab in widgets.tabs(FIGURE).items() if tab.open}
     for view, container in containers.items():
-        figures = cache.figures(view, theme.current(), *setting, is_projector=is_projector)
+        has_frames = view == "displacements"
+        figures = cache.figures(view, theme.current(), *setting, is_split=is_projector or has_frames)
         with container:
+            if has_frames and not is_projector:
+                # One frame of reference at a time leaves room for large curves with their names.
+                title = cache.FRAMES[choose_frame()]
+                figures = {title: figures[title]}
             for number, (panels, figure) in enumerate(figures.items(), start=1):
                 name = view if number == 1 else f"{view}_{number}"
                 title = _("{figure}: {panel}").format(figure=FIGURES[view], panel=panels)
                 with slide(name, title if len(figures) > 1 else FIGURES[view]):
                     draw_functions[view](motion, figure, name)
-            if view == "displacements":
-                with slide("phase_plane", _("Phase plane")):
-                    draw_phase_plane(motion, setting)
+            if has_frames:
+                draw_phase_plane(motion, setting)
             if view == "forces":
                 with slide("friction", _("Friction needed")):
                     plots.draw_required_friction(motion, friction)
 
 
+def choose_frame() -> str:
+    """Draw the choice of the frame of reference, and return its name."""
+    return widgets.segmented_control(PLANE, _("Frame of reference"), label_visibility="collapsed")
+
+
 def draw_phase_plane(motion: Record, setting: cache.ReleaseParameters) -> None:
-    """Draw the phase plane, in the projector view as high as the slide, with the words beside it."""
-    picture, words = display_mode.picture_and_words()
-    with words:
-        frame = widgets.segmented_control(PLANE, _("Phase plane"))
-    with picture:
-        plots.draw_phase_plane(motion, frame, cache.phase_plane(frame, theme.current(), *setting))
-    with words:
-        plots.explain_phase_plane()
+    """Draw the phase plane below its line, in the projector view on a slide with its frame and the words beside it."""
+    if not display_mode.is_projector():
+        figure = cache.phase_plane(address.current(PLANE), theme.current(), *setting)
+        draw = partial(plots.draw_phase_plane, motion, address.current(PLANE), figure)
+        title = _("Phase plane: the velocity of each body over its displacement")
+        folded("phase_plane", title, draw, plots.explain_phase_plane)
+        return
+    with slide("phase_plane", _("Phase plane")):
+        picture, words = display_mode.picture_and_words()
+        with words:
+            frame = choose_frame()
+        with picture:
+            plots.draw_phase_plane(motion, frame, cache.phase_plane(frame, theme.current(), *setting))
+        with words:
+            plots.explain_phase_plane()
 
 
 if __name__ == "__main__":

@@ -65,6 +65,7 @@ def draw_displacements(motion: Record, figure: EncodedFigure, name: str) -> None
         _("Greatest distance from the start, relative to the ground: {distances}."),
     ]
     distances = list_values(PARTS, farthest, "cm")
+    st.caption(_("Zero is each body’s place before compression. Up is to the right."))
     draw_chart(figure, name, " ".join(alternative).format(distances=distances))
     if block or top:
         sentence = _(
@@ -89,7 +90,7 @@ def draw_phase_plane(motion: Record, frame: str, figure: EncodedFigure) -> None:
     displacement = 100 * float(abs(positions["slab"]).max())
     velocity = 100 * float(abs(velocities["slab"]).max())
     words = filled(alternative, frame=cache.FRAMES[frame], displacement=displacement, velocity=velocity)
-    draw_chart(figure, "phase_plane", words)
+    draw_chart(figure, "flat_phase_plane" if cache.is_flat(frame, motion) else "phase_plane", words)
 
 
 def explain_phase_plane() -> None:
