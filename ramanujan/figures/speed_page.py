@@ -23,6 +23,8 @@ _LONGEST_NAME = 18
 """The largest number of letters of a name in one line at the right edge."""
 _LINE_HEIGHT = 0.08
 """The height of a line of a name on a slide, in fractions of the plotting area."""
+_SINGLE = _("7 digits")
+"""The name of the line of the chosen method in single precision."""
 DOUBLE = "float64"
 """The precision of solid lines."""
 
@@ -83,9 +85,11 @@ def draw_error_growth(
         line_ends[name + arrow] = right, float(np.clip(last, *limits))
         if name == chosen:
             chosen_label = name + arrow
+    band: dict[str, Any] = {}
     if allowed is not None:
         traces.append(level_line((1.0, right), allowed, _("error allowed"), colors))
-        line_ends[_("error allowed")] = right, allowed
+        # Few lines reach the lower corner.
+        band = _shade_allowed(allowed, limits, (1.0, limits[0]), colors)
     leaders, names = _name_lines(line_ends, chosen_label, right, limits, colors)
     x_axis = axis(_("periods"), (0.0, float(np.log10(right)) + 0.1), type="log", tickvals=[1, 3, 10, 30])
     return build_figure(
@@ -96,7 +100,27 @@ def draw_error_growth(
         xaxis=x_axis,
         yaxis=log_axis(title, limits),
         yaxis2=names,
+        **band,
     )
+
+
+def _shade_allowed(
+    allowed: float, limits: tuple[float, float], place: tuple[float, float], colors: Colors
+) -> dict[str, Any]:
+    """Return the layout of a tinted band of the errors that are allowed, with its name.
+
+    Parameters
+    ----------
+    allowed : the upper edge of the band
+    limits : of the error axis
+    place : the lower left corner of the name
+    colors : the theme's
+    """
+    edges = {"xref": "paper", "x0": 0, "x1": 1, "y0": limits[0], "y1": allowed, "line": {"width": 0}}
+    band = {"type": "rect", **edges, "fillcolor": colors["primary"], "opacity": 0.1, "layer": "below"}
+    name = note(_("error allowed"), colors["ink"], *np.log10(place))
+    place_of_name = {"xanchor": "left", "yanchor": "bottom", "xshift": 6}
+    return {"shapes": [band], "annotations": [name | place_of_name]}
 
 
 def _gray(colors: Colors) -> dict[str, Any]:
@@ -135,11 +159,12 @@ def draw_work_precision(
     tried: Sequence[tuple[float, float]] = (),
     colors: Colors,
 ) -> EncodedFigure:
-    """Draw error against cost, both logarithmic: solid with marks in float64, dotted with a name in float32.
+    """Draw error against cost, both logarithmic: solid with marks in float64, dotted in float32.
 
     Parameters
     ----------
-    curves : name of the method and its precision → cost, error and steps per period of each run
+    curves : name of the method and its precision → cost, error and steps per period of each run. At most one method is
+        also in float32.
     chosen : the name of the method that is drawn strongly, if any; the others are gray
     titles : of the cost axis and of the error axis
     limits : of the error axis
@@ -156,9 +181,9 @@ def draw_work_precision(
     ends = min(costs), max(costs)
     traces = _method_curves(curves, chosen, limits, hover, colors)
     line_ends = {
-        name: (cost[-1], error[-1]) for (name, dtype), (cost, error, _steps) in curves.items() if dtype == DOUBLE
+        name if dtype == DOUBLE else _SINGLE: (cost[-1], error[-1])
+        for (name, dtype), (cost, error, _steps) in curves.items()
     }
-    line_ends[_("error allowed")] = ends[1], tolerance
     leaders, names = _name_lines(line_ends, chosen, ends[1], limits, colors)
     traces += leaders
     traces.append(level_line(ends, tolerance, _("error allowed"), colors))
@@ -175,7 +200,10 @@ def draw_work_precision(
         if run.is_named:
             place = np.log10(run.cost), np.log10(height)
             notes.append(note(name, colors[run.color], *place) | _place_name(*place, ends, limits, run.size / 2))
-    notes += _name_single_precision(curves, limits, colors)
+    # No run is both cheap and accurate, so the left end of the band is free. The closed form may be in its corner.
+    level = max(float(np.sqrt(tolerance * limits[0])), 10 * limits[0])
+    band = _shade_allowed(tolerance, limits, (ends[0], level), colors)
+    notes += band["annotations"]
     x_range = float(np.log10(ends[0])) - 0.1, float(np.log10(ends[1])) + 0.1
     return build_figure(
         traces,
@@ -183,6 +211,7 @@ def draw_work_precision(
         384,
         margin=_MARGIN,
         annotations=notes,
+        shapes=band["shapes"],
         xaxis=axis(titles[0], x_range, type="log", dtick=1),
         yaxis=log_axis(titles[1], limits),
         yaxis2=names,
@@ -205,18 +234,6 @@ def _place_name(
         return {"xanchor": "left", "yanchor": "bottom", "xshift": radius}
     is_left = cost < left + (right - left) / 4
     return {"xanchor": "left" if is_left else "right", "yanchor": "top", "yshift": -radius}
-
-
-def _name_single_precision(
-    curves: Mapping[tuple[str, str], CurveArrays], limits: tuple[float, float], colors: Colors
-) -> list[dict[str, Any]]:
-    """Return the name of the dotted lines above the end of the longest one, if there are any."""
-    line_ends = [(cost[-1], error[-1]) for (_name, dtype), (cost, error, _steps) in curves.items() if dtype != DOUBLE]
-    if not line_ends:
-        return []
-    cost, error = max(line_ends)
-    place = float(np.log10(cost)), float(np.log10(np.clip(error, *limits)))
-    return [note(_("7 digits"), colors["ink"], *place) | {"xanchor": "right", "yanchor": "bottom", "yshift": 3}]
 
 
 def _method_curves(
@@ -267,13 +284,14 @@ def _name_lines(
     leaders = []
     for name, level in zip(names, levels, strict=True):
         cost, error = line_ends[name]
-        color = colors["primary"] if name == chosen else colors["block"]
+        color = colors["primary"] if name in (chosen, _SINGLE) else colors["block"]
         leader = line([float(cost), edge], [float(error), level], color=color, width=1)
         leaders.append(leader | {"hoverinfo": "skip", "yaxis": "y2"})
     texts = []
     for name, label in zip(names, labels, strict=True):
-        is_chosen = name == chosen
-        texts.append(f'<b style="color:{colors["primary"]}">{label}</b>' if is_chosen else label)
+        tag = "b" if name == chosen else "span"
+        is_strong = name in (chosen, _SINGLE)
+        texts.append(f'<{tag} style="color:{colors["primary"]}">{label}</{tag}>' if is_strong else label)
     right_axis = log_axis("", limits) | {
         "overlaying": "y",
         "side": "right",

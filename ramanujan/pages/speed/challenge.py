@@ -39,11 +39,11 @@ def draw_controls() -> None:
 
 
 def draw_machine() -> None:
-    """Draw the exact machine, and the last run as an outline over it."""
-    computed = None
-    if address.current(TRIES):
-        computed = downsampling.stage_payload(cache.run(*tried_runs()[-1]))
-        computed |= {"run": st.session_state.get(_RUN, 0), "screen_period": _ANIMATION / PERIODS}
+    """Draw the exact machine, and the last run as an outline over it. Before the first run, it is the selected one."""
+    selected = address.current(METHOD), address.current(STEPS)
+    method, steps = [selected, *tried_runs()][-1]
+    computed = downsampling.stage_payload(cache.run(method, steps))
+    computed |= {"run": st.session_state.get(_RUN, 0), "screen_period": _ANIMATION / PERIODS}
     payload = stage.payload(sidebar.oscillator(), sidebar.compression(), computed=computed)
     with container("observed", "race"):
         stages.mount(payload, key="stage_race", label=_("The exact motion"), clock="speed", compact=True, layers=())
@@ -56,7 +56,8 @@ def draw_verdict() -> None:
             method, steps = tried_runs()[-1]
             tasks.draw_verdict(TASK, Attempt(method=method, steps=steps))
         else:
-            st.caption(_("Press *Run*: the dashed outline of the computed machine moves over the exact machine."))
+            sentence = _("Press *Run*: both machines move through {periods} periods.")
+            st.caption(sentence.format(periods=PERIODS))
 
 
 def _add_attempt(method: str, steps: int) -> None:

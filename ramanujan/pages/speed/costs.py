@@ -38,9 +38,9 @@ def draw_costs() -> Callable[[], None]:
             st.header(title, anchor=False)
             st.markdown(
                 _(
-                    "Choose the largest error: the ring marks the cheapest run. A run further to the right costs more, "
-                    "one further down is more accurate. Solid: numbers with 16 digits (float64). Dotted: with 7 "
-                    "digits (float32)."
+                    "Each mark is a run of a method, with smaller steps further right: it costs more, and its error "
+                    "falls. Choose the largest error: the ring marks the cheapest run. The dotted line has numbers "
+                    "with 7 digits (float32), the solid lines with 16 (float64)."
                 )
             )
     with controls:
@@ -105,9 +105,12 @@ def draw_diagram(by: str, tolerance: float) -> str:
         sentence = f"{verdicts.describe_tried_run(last, tolerance)}\n\n{sentence}"
     else:
         sentence = " ".join((sentence, _("Each run of your own in *Race* appears in the diagram as ◆.")))
+    chosen = METHODS[ranked[0].method].title if ranked else None
+    # Lines in float32 differ from those in float64 only at their lower ends. One is enough to see it.
+    shown = [curve for curve in curves if curve.dtype == figures.DOUBLE or METHODS[curve.method].title == chosen]
     diagram = figures.draw_work_precision(
-        {(METHODS[curve.method].title, curve.dtype): downsampling.costs(curve, by) for curve in curves},
-        chosen=METHODS[ranked[0].method].title if ranked else None,
+        {(METHODS[curve.method].title, curve.dtype): downsampling.costs(curve, by) for curve in shown},
+        chosen=chosen,
         titles=(_COST_TITLES[by], _("largest error [turns]")),
         limits=_LIMITS,
         tolerance=tolerance,

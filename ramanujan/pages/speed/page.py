@@ -29,6 +29,10 @@ _AXES = {
     "phase": (_("phase error [turns]"), (1e-6, 10.0)),
     "energy": (_("energy error<br>|<i>E</i>/<i>E</i>₀ − 1|"), (1e-8, 10.0)),
 }
+_EXPLANATIONS = {
+    "phase": _("The **phase error** says how many turns the computed machine is ahead or behind."),
+    "energy": _("The **energy error** says how far the energy *E* is from the true energy *E*₀."),
+}
 
 
 def show() -> None:
@@ -63,21 +67,24 @@ def draw_race() -> None:
         with slide("errors", _("How the errors grow")):
             draw_error_growth()
         return
-    # On a phone the figure is above the controls that change it, on a wide page beside them.
+    # On a phone the figure is below the game, on a wide page beside it.
     row = container("columns", "race")
-    words, figure, game, about = row.container(), row.container(), row.container(key="race"), row.container()
+    words, game, figure, about = row.container(), row.container(key="race"), row.container(), row.container()
     with words:
-        st.markdown(" ".join((_("A simulation moves in small steps. Each step adds an error."), challenge.TASK.text)))
-    with figure:
-        draw_error_growth()
+        sentence = _(
+            "A simulation moves in small steps. Each step evaluates the force, which costs time, and adds an error."
+        )
+        st.markdown(f"{sentence} {challenge.TASK.text}")
     with game:
         challenge.draw_controls()
         challenge.draw_machine()
         challenge.draw_verdict()
+    with figure:
+        draw_error_growth()
     method, steps = address.current(METHOD), address.current(STEPS)
     with about:
+        st.markdown(_EXPLANATIONS[address.current(ERROR)])
         st.markdown(verdicts.describe_method(METHODS[method]))
-        st.markdown(_("This machine can also be solved exactly, so every error can be seen."))
     with st.expander(_("This run in numbers")):
         st.markdown(verdicts.describe_errors(cache.run(method, steps)))
         st.markdown(verdicts.describe_stability(METHODS[method], steps))
