@@ -102,14 +102,14 @@ def describe_friction(friction: Friction, compression: float) -> tuple[str, str]
     if compression <= friction.largest:
         heading = _(":green[:material/check_circle: **Every contact rolls without slipping.**]")
         sentence = _(
-            "With μ = {mu} this is true up to x₀ = {largest:3↓ cm}. Beyond that, the contact "
-            "between **{contact}** slips first."
+            "With μ\u00a0=\u00a0{mu} this is true up to the compression x₀\u00a0=\u00a0{largest:3↓ cm}. Beyond that, "
+            "the contact between **{contact}** slips first."
         )
     else:
         heading = _(":red[:material/error: **The model no longer holds.**]")
         sentence = _(
-            "With μ = {mu}, the contact between **{contact}** slips from x₀ = {largest:3↑ cm} on. "
-            "The picture still shows rolling."
+            "With μ\u00a0=\u00a0{mu}, the contact between **{contact}** slips from the compression "
+            "x₀\u00a0=\u00a0{largest:3↑ cm} on. The picture still shows rolling."
         )
     values = {"mu": fixed(friction.coefficient, 2), "largest": 100 * friction.largest}
     return heading, filled(sentence, **values, contact=cache.CONTACTS[friction.first])

@@ -98,8 +98,8 @@ def explain_phase_plane() -> None:
     st.caption(
         _(
             "Each dot of this **phase plane** shows where a body is and how fast it moves. The velocity is divided by "
-            "Ω: both axes are lengths, and an oscillation is a circle. Change $-\\dot X_0$: the curves relative to the "
-            "ground open, those relative to the block do not change."
+            "the natural frequency Ω: both axes are lengths, and an oscillation is a circle. Change $-\\dot X_0$: the "
+            "curves relative to the ground open, those relative to the block do not change."
         )
     )
 

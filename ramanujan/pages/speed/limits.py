@@ -29,9 +29,9 @@ def draw_forms() -> list[Sweep]:
     """Draw the forms of Ω² over the range of floating point; return the selected sweep."""
     st.header(_("Very large and small numbers"), anchor=False)
     sentence = _(
-        "Each strip is a formula for Ω², from very light bodies on the left to very heavy ones. On paper all {count} "
-        "are equal. In a computer the square of a large mass overflows, and that of a small mass becomes 0: there Ω² "
-        "is wrong."
+        "Each strip is a formula for the squared natural frequency Ω². Very light bodies are on the left, very heavy "
+        "ones on the right. On paper all {count} are equal. In a computer the square of a large mass overflows, and "
+        "that of a small mass becomes 0: there Ω² is wrong."
     )
     st.markdown(filled(sentence, count=len(FORMS)))
     name = widgets.segmented_control(SWEEP, _("What is varied, and the precision"), label_visibility="collapsed")

@@ -251,8 +251,8 @@ def describe_phases(errors: Sequence[PhaseErrors]) -> str:
     for before, after in pairwise(errors):
         if before.float32 <= 1 < after.float32:
             sentence = _(
-                "Whole turns use up the digits of Ω·t. With 7 digits (float32), the phase error passes 1\u202frad "
-                "between {before} and {after} periods."
+                "The whole turns of the phase Ω·t use up its digits. With 7 digits (float32), its error passes "
+                "1\u202frad between {before} and {after} periods."
             )
             sentences.append(sentence.format(before=number(before.periods), after=number(after.periods)))
             break
