@@ -31,8 +31,7 @@ from tests.checks.browser import (
     running,
     wait_for_start,
 )
-from tests.checks.engines import bare, bare_address, browsers, engine, playwright, sample, window  # noqa: F401
-from tests.checks.engines import new_context
+from tests.checks.engines import bare, bare_address, browsers, engine, new_context, playwright, sample, window  # noqa: F401
 from tests.settings import DEEP, PATIENCE, REQUIRED, skip_missing
 
 # Store the tests' classes separately: the app on this computer stores at most 200.
