@@ -53,10 +53,10 @@ def curve() -> FrequencyCurve:
 
 
 def unit_ratio() -> str:
-    """Return ε* as text, an exact expression with a root."""
+    """Return ε* as text without a line break, an exact expression with a root."""
     condition = unit_frequency_condition()
     numerator, denominator = sp.fraction(condition.root)
-    root = f"({sp.sstr(numerator, order='rev-lex')})/{denominator}".replace("-", "−")
+    root = f"({sp.sstr(numerator, order='rev-lex')})/{denominator}".replace("-", "−").replace(" ", "\u00a0")
     return root.replace(f"sqrt({condition.discriminant})", f"√{condition.discriminant}")
 
 
@@ -66,11 +66,11 @@ def discriminant() -> int:
 
 
 def completed_square() -> str:
-    """Return the unit-frequency condition as text, with a completed square: (…)² = 1729."""
+    """Return the unit-frequency condition as text without a line break, with a completed square: (…)² = 1729."""
     condition = unit_frequency_condition()
     numerator, denominator = sp.fraction(condition.root)
     shift = sp.sqrt(condition.discriminant) - numerator
-    return f"({denominator}ε + {shift})² = {condition.discriminant}"
+    return f"({denominator}ε\u00a0+\u00a0{shift})²\u00a0=\u00a0{condition.discriminant}"
 
 
 def equal_masses_value() -> str:

@@ -116,36 +116,42 @@ def draw_reason() -> None:
         st.markdown(shared_with_file.reason())
         page = menu.PAGES["taxicab"]
         st.page_link(page.file, label=_("Why it appears in a machine → 1729"), width="content")
-        cubes.draw_stacks()
+        cubes.draw_stacks(with_values=False)
 
 
 def draw_opening() -> None:
     """Draw the question, the button of the story and the sliders; on a reader's screen also the link to the lesson."""
     st.title(_("Ramanujan’s oscillator"), anchor=False)
-    if not display_mode.is_projector():
-        with st.container(key="to_lesson"):
-            draw_lesson_link()
     has_clocks = not display_mode.hides("clocks", "numbers")
     question = _("**When does this machine of five bodies oscillate in step with a plain mass on the same spring?**")
     if has_clocks:
         question = shared_with_file.question()
     st.markdown(question)
-    if first_run.draws_only_machine():
-        reserve_places(has_clocks)
-        return
     if has_clocks:
-        story_button.mount(story.collect_data())
+        draw_story_button()
+    if not display_mode.is_projector():
+        with st.container(key="to_lesson"):
+            draw_lesson_link()
+    if first_run.draws_only_machine():
+        reserve_places()
+        return
     for key in SLIDERS[:1] if display_mode.is_projector() else SLIDERS:
         sidebar.draw_slider(key)
 
 
-def reserve_places(has_clocks: bool) -> None:
-    """Reserve the places of the story's button and of the sliders, which come with the second run.
+def draw_story_button() -> None:
+    """Draw the button of the story. In the first run, only reserve its place."""
+    if first_run.draws_only_machine():
+        st.container(key="place_of_story").empty()
+    else:
+        story_button.mount(story.collect_data())
+
+
+def reserve_places() -> None:
+    """Reserve the places of the sliders, which come with the second run.
 
     The number of elements is that of the second run. Otherwise Streamlit would remove the machine and draw it again.
     """
-    if has_clocks:
-        st.container(key="place_of_story").empty()
     st.container(key="place_of_sliders").empty()
     for _number in range(2 * len(SLIDERS) - 1):
         st.empty()

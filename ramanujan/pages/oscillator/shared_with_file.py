@@ -20,7 +20,7 @@ def question() -> str:
     """Return the question of the page in Markdown. It compares the machine with the plain mass."""
     return _(
         "Each clock hand turns once in a period (oscillation): one for the machine, one for the plain mass. "
-        "**Which m′ keeps them in step?**"
+        "**Which lower-roller mass m′ keeps them in step?**"
     )
 
 

@@ -107,7 +107,7 @@ def write_words() -> dict[str, str]:
     """Return the words of the story's button in the format of `components/story`."""
     return {
         "ratio": "ε = m′/m = {ratio}",
-        "in_step": _("In step: ε = {exactly}. So {number}.").format(
+        "in_step": _("In step: ε\u00a0=\u00a0{exactly}. So {number}.").format(
             exactly=page_cache.unit_ratio(), number=page_cache.completed_square()
         ),
         "mark": _("in step"),

@@ -8,14 +8,20 @@ PAPER = BodyChoice()
 """The paper's machine."""
 
 
-def draw_stacks() -> None:
-    """Draw the two stacks, each with its sum. A line breaks only before an equals sign."""
+def draw_stacks(*, with_values: bool = True) -> None:
+    """Draw the two stacks, each with its sum, also of its terms `with_values`. A line breaks before an equals sign."""
     cubes.mount(
         [(larger, smaller) for smaller, larger in PAPER.cubes],
         [describe_cubes(smaller, larger) for smaller, larger in PAPER.cubes],
-        [f"{x}³ + {y}³ =\u00a0{x**3}\u00a0+\u00a0{y**3} =\u00a0" for x, y in PAPER.cubes],
+        [write_sum(x, y, with_values) for x, y in PAPER.cubes],
         PAPER.discriminant,
     )
+
+
+def write_sum(x: int, y: int, with_values: bool) -> str:
+    """Return the sum of two cubes up to its last equals sign, such as 1³ + 12³ = 1 + 1728 =."""
+    values = f" =\u00a0{x**3}\u00a0+\u00a0{y**3}" if with_values else ""
+    return f"{x}³ + {y}³{values} =\u00a0"
 
 
 def describe_cubes(smaller: int, larger: int) -> str:

@@ -31,7 +31,7 @@ NOW = f"""() => {{
     sentence: text({STORY}, ".sentence"), verdict: text({STAGE}, ".verdict"), parting: text({STAGE}, ".parting"),
     degrees: angle("machine") - angle("plain") }};
 }}"""
-IN_STEP = "In step: ε = (√1729 − 1)/36. So (36ε + 1)² = 1729."
+IN_STEP = "In step: ε\u00a0=\u00a0(√1729\u00a0−\u00a01)/36. So (36ε\u00a0+\u00a01)²\u00a0=\u00a01729."
 ANNOUNCED = "(globalThis.announced = [], bus.subscribe('announce', ({ sentence }) => announced.push(sentence)))"
 """Records the announcements of the live region."""
 MARK = "document.querySelector('.st-key-m_prime').style.getPropertyValue('--mark')"

@@ -91,7 +91,8 @@ export default function ({ data: { sums, alternatives, captions, total, words },
         }
       svg.replaceChildren(...layers.values());
       const { x, y, width, height } = svg.getBBox(), pictureWidth = EDGE * (widest + SPACING + 2);
-      const [left, top] = [x + (width - pictureWidth) / 2, y + (height - pictureHeight) / 2];
+      // All stacks have the same scale and stand on the same floor.
+      const [left, top] = [x + (width - pictureWidth) / 2, y + height - pictureHeight];
       set(svg, { viewBox: `${left} ${top} ${pictureWidth} ${pictureHeight}` });
     }
     slider.ariaValueText = fill(words.degrees, { angle: slider.value });
