@@ -86,7 +86,7 @@ def check_arrival(phone: Phone) -> None:
     # During the story on the small phone
     phone.page.emulate_media(reduced_motion="no-preference")
     story.tap()
-    for sentence in ("Heavy rollers", "Lighter rollers"):
+    for sentence in ("Equal masses", "Heavier rollers"):
         expect(phone.page.locator(".st-key-story .sentence")).to_contain_text(sentence)
         check_visible()
     story.tap()

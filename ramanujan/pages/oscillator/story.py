@@ -1,12 +1,12 @@
-"""The story of the first page: from heavy rollers to the one mass ratio at which both clock hands turn together.
+"""The story of the first page: from equal masses to the one mass ratio at which both clock hands turn together.
 
-Times are in periods of the plain mass, masses in units of m, so one story fits every machine. The hands start together.
-The durations of the pauses are such that the hands meet again at ε*. The machine's hand gains this number of turns:
+Times are in periods of the plain mass, masses in units of m, so one story fits every machine. The hands start together,
+with the machine that the page opens with. It gains, and with too heavy rollers it falls behind, so long that the hands
+meet again at ε*. The machine's hand gains this number of turns:
 
     ∫ (√f(ε(t)) − 1) dt,    f(ε) = Ω²m/k
 """
 
-import math
 from dataclasses import asdict, dataclass
 from functools import cache
 from typing import Any
@@ -21,16 +21,16 @@ from ramanujan.text.translation import _
 
 RATIO = UNIT_MASS_RATIO
 """The mass ratio at which the story ends."""
-START = 2.0
+START = 1.0
 """The mass ratio with which the story begins. For every m, the slider of m′ shows it."""
 SCREEN_PERIOD = 0.6
 """Duration of a period of the plain mass on the screen during the story [s]."""
-_TOO_HEAVY = 1.25
-"""A mass ratio about as far above ε* as ε = 1 is below ε*. The slider has a step at this ratio."""
+_TOO_HEAVY = 2.0
+"""A mass ratio at which the machine clearly falls behind."""
 STILL_PERIODS = 2
 """Time at which the still clocks are drawn [periods of the plain mass]."""
 _KNOTS = 10
-"""Number of straight pieces of a move, which begins and ends slowly."""
+"""Number of straight pieces of a move."""
 
 
 @dataclass(frozen=True)
@@ -57,37 +57,18 @@ def turns_gained(ratios: ArrayLike) -> NDArray[np.float64]:
 @cache
 def make_story() -> tuple[Scene, ...]:
     """Return the scenes of the story."""
-    lighter = Scene(
-        _("Lighter rollers: the machine falls behind more slowly."), _moving_ratios(START, UNIT_MASS_RATIO), 5
-    )
-    # The hand loses turns while the rollers are heavy. The wait and the move together lose a whole number of turns, and
-    # the wait lasts at least one period.
-    lost_per_period = -float(turns_gained(START))
-    lost_in_move = -turns_in_scene(lighter)
-    lost = math.ceil(lost_in_move + lost_per_period)
-    wait = (lost - lost_in_move) / lost_per_period
-    heavy = _("Heavy rollers: the machine falls behind quickly.")
-    ahead = (
-        Scene(_("Still lighter: now the machine is faster."), _moving_ratios(UNIT_MASS_RATIO, 1.0), 1.2),
-        _still_scene(_("Equal masses: the machine gains slowly."), 1.0, 3),
-        Scene(_("Heavier again: the machine slows down."), _moving_ratios(1.0, _TOO_HEAVY), 1.5),
-    )
-    back = Scene(
+    equal = _still_scene(_("Equal masses: the machine gains slowly."), START, 4)
+    heavier = Scene(_("Heavier rollers: the machine slows down."), _moving_ratios(START, _TOO_HEAVY), 3)
+    between = Scene(
         _("Between the two, one mass ratio keeps both hands together."),
-        _moving_ratios(_TOO_HEAVY, UNIT_MASS_RATIO),
-        1.2,
+        _moving_ratios(_TOO_HEAVY, UNIT_MASS_RATIO, stops_slowly=False),
+        5,
     )
-    # Too heavy rollers lose the turns that the other scenes gain.
-    gained = sum(map(turns_in_scene, (*ahead, back)))
-    too_heavy_periods = gained / -float(turns_gained(_TOO_HEAVY))
-    return (
-        _still_scene(heavy, START, wait),
-        lighter,
-        _still_scene(_("Here both hands turn together."), UNIT_MASS_RATIO, 2),
-        *ahead,
-        _still_scene(_("Too heavy: the machine falls behind again."), _TOO_HEAVY, too_heavy_periods),
-        back,
-    )
+    # Too heavy rollers lose the turns that the other scenes gain, and one more.
+    gained = sum(map(turns_in_scene, (equal, heavier, between)))
+    too_heavy_periods = (1 + gained) / -float(turns_gained(_TOO_HEAVY))
+    too_heavy = _still_scene(_("Too heavy: the machine falls behind."), _TOO_HEAVY, too_heavy_periods)
+    return equal, heavier, too_heavy, between
 
 
 def collect_data() -> dict[str, Any]:
@@ -145,10 +126,13 @@ def _still_scene(sentence: str, ratio: float, periods: float) -> Scene:
     return Scene(sentence, (ratio, ratio), periods)
 
 
-def _moving_ratios(start: float, end: float) -> tuple[float, ...]:
-    """Return the ratios of a move, which begins and ends slowly, at equal steps of time."""
+def _moving_ratios(start: float, end: float, *, stops_slowly: bool = True) -> tuple[float, ...]:
+    """Return the ratios of a move, which begins slowly, at equal steps of time.
+
+    A slow end at ε* would show a drift of a turn in thousands of periods.
+    """
     time = np.linspace(0, 1, _KNOTS + 1)[1:-1]
-    progress = time**2 * (3 - 2 * time)
+    progress = time**2 * (3 - 2 * time if stops_slowly else 2 - time)
     # Round the numbers, because every run of the page sends the story.
     ratios = np.round(start * (end / start) ** progress, 3)
     return (start, *map(float, ratios), end)

@@ -1,4 +1,4 @@
-// The story of the first page. It begins with heavy rollers, and moves the slider of m′ to the mass ratio at which both
+// The story of the first page. It begins with equal masses, and moves the slider of m′ to the mass ratio at which both
 // hands stay together. Then it sends the exact value. The scenes come from Python; the stage's clock (topic time/NAME)
 // measures the progress. Any touch or key ends the story: the slider stays at its value and sends it.
 
