@@ -44,7 +44,7 @@ class FrequencyCurve:
 _INSET_RATIOS, _INSET_VALUES = (0.8, 1.4), (0.77, 1.26)
 """The ranges of ε and of Ω²m/k in the inset, which separates the marked ratios, even on a phone."""
 _IN_INSET = {"xaxis": "x2", "yaxis": "y2"}
-_INSET_ACROSS, _INSET_UP = (0.09, 0.5), (0.15, 0.6)
+_INSET_ACROSS, _INSET_UP = (0.125, 0.53), (0.15, 0.6)
 """The horizontal and vertical domain of the inset, below the curve, in fractions of the panel."""
 NEAR_MARK = 0.02
 """Largest relative distance from the ratio of a marked machine at which the pointer finds the mark, not the curve."""
