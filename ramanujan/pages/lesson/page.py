@@ -25,7 +25,7 @@ ENDING = _("What you have seen")
 # A style rule that hides the drawer of sliders. In page.css it would need :has(), which is slow.
 WITHOUT_DRAWER = "<style>:root:root:root { --drawer: 0px; --drawer-content: none; }</style>"
 # The sizes of clock and machine at a stop with a slider below them. See WITHOUT_DRAWER.
-_ABOVE_SLIDER = "<style>:root { @media (width >= 1000px) { --clock: 24vh; --stage-picture: 36vh; } }</style>"
+_ABOVE_SLIDER = "<style>:root { @media (width >= 1000px) { --clock: 24vh; --picture: 36vh; } }</style>"
 _ONWARDS = {
     "oscillator": _("Look for the ratio in step yourself, on the page Oscillator"),
     "derivation": _("Derive Ω² step by step, on the page Derivation"),

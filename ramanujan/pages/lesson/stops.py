@@ -149,7 +149,7 @@ def draw_containers(
     if display_mode.is_projector():
         picture, words = display_mode.picture_and_words(3 if running else 2)
     else:
-        words, picture = st.container(key=None if stop.exhibit else "beside").columns(2, gap="medium")
+        words, picture = st.container(key=None if stop.exhibit else "beside").columns([5, 6], gap="medium")
     return words, picture, words
 
 
