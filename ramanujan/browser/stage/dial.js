@@ -97,7 +97,9 @@ export function makeDial(root) {
   function frame(playback, writesText) {
     const { phase, plainPhase } = playback;
     const degrees = (angle) => ((angle % TURN) * 360) / TURN;
-    const lead = ((phase - plainPhase) / TURN) % 1; // turns by which the machine's hand is ahead
+    const turns = (phase - plainPhase) / TURN, isWhole = Math.abs(turns - Math.round(turns)) < VISIBLE;
+    // Turns by which the machine's hand is ahead. A whole number, slightly missed, would be drawn as a full circle.
+    const lead = isWhole ? 0 : turns % 1;
     put(find, {
       ".hand.machine": { transform: `rotate(${degrees(phase)})` },
       ".dial .drift": { transform: `rotate(${degrees(phase)})` },
