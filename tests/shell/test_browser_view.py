@@ -83,7 +83,7 @@ SLIDES = {
     FIRST: 15,
     "derivation?route=newton&step=4": 4,
     MOTION: 9,
-    "1729?left=sphere&top=shell": 6,
+    "1729?left=sphere&top=shell": 5,
     "speed?slide=costs": 8,
     "lesson?stop=zero-modes&chosen=zero-modes.one": 2,
     "lesson?stop=end": 3,

@@ -29,27 +29,32 @@ PAPER = BodyChoice()
 """The paper's machine."""
 
 
-def frequency_equation() -> str:
-    """Return, as LaTeX, Ω²m/k of the paper's machine in terms of the mass ratio."""
-    return latex(route("euler_lagrange")["ratio"].equations[-1])
-
-
 @cache
 def unit_equations(ink: str, paper: str) -> str:
-    """Return, as LaTeX, the quadratic equation for Ω² = k/m of the paper's machine, and the completed square, with the
-    operations between them. The discriminant is written out, and its value has the colour `paper` on `ink`.
+    """Return, as LaTeX, the way from Ω² = k/m of the paper's machine to the completed square of a quadratic equation,
+    with the operations between the equations. The value of the discriminant has the colour `paper` on `ink`.
     """
-    unit, root = (route("euler_lagrange")[key] for key in ("unit", "root"))
+    ratio, unit, root = (route("euler_lagrange")[key] for key in ("ratio", "unit", "root"))
+    in_step, quadratic = ratio.equations[-1], unit.equations[-1]
     *_completion, square, _second_sum, _root = root.equations
-    multiply, complete = root.operations[1], margin_text(_("complete the square"))
-    # The operation begins left of the equals signs, so that it also fits into a narrow column.
-    completion = rf"&\kern-5em\small\downarrow\;{multiply},\;{complete}"
     a, b, c = PAPER.quadratic
     with sp.evaluate(False):
         discriminant = sp.Add(sp.Pow(b, 2), sp.Mul(4, a, -c))
     written_out = f"{latex(square.lhs)} = {sp.latex(discriminant, mul_symbol='dot', order='none')}"
     value = rf"\colorbox{{{ink}}}{{\textcolor{{{paper}}}{{\textbf{{{square.rhs}}}}}}}"
-    return aligned(latex(unit.equations[-1]), completion, written_out, f"= {b**2} + {-4 * a * c} = {value}")
+    return aligned(
+        f"{latex(in_step)} = 1",
+        _operation(rf"\times\left({latex(sp.fraction(in_step.rhs)[1])}\right)", unit.operations[-1]),
+        latex(quadratic),
+        _operation(root.operations[1], margin_text(_("complete the square"))),
+        written_out,
+        f"= {b**2} + {-4 * a * c} = {value}",
+    )
+
+
+def _operation(*parts: str) -> str:
+    """Return an operation between two equations. It begins left of their equals signs, to fit into a narrow column."""
+    return r"&\kern-5em\small\downarrow\;" + r",\;".join(parts)
 
 
 def aligned(*equations: str) -> str:

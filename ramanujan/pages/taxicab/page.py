@@ -5,7 +5,7 @@ import streamlit as st
 from ramanujan.pages.taxicab import cache, other_bodies, other_targets
 from ramanujan.pages.taxicab.cache import PAPER
 from ramanujan.shell import sidebar, theme
-from ramanujan.shell.display_mode import columns, slide
+from ramanujan.shell.display_mode import is_projector, slide
 from ramanujan.shell.sections.cubes import draw_stacks
 from ramanujan.text.translation import _
 
@@ -22,46 +22,37 @@ def show() -> None:
 
 
 def draw_reason() -> None:
-    """Draw what the page shows and, beside it, the algebra that leads to the number, above its two stacks of cubes."""
-    words, figure = columns("in_step")
-    with slide("in_step", _("In step")), words:
+    """Draw the algebra from the machine in step to the number and, beside it, the number as two stacks of cubes."""
+    with slide("in_step", _("In step")), st.container(key="in_step"):
+        algebra, picture = st.columns([3, 4], gap="medium")
+    with algebra:
         st.title(str(PAPER.discriminant), anchor=False)
-        aim = _(
-            "At exactly one mass ratio, the machine stays in step with a plain mass on the same spring. The equation "
-            "for this ratio leads to the number {number}."
+        st.header(_("When is the machine in step?"), anchor=False)
+        st.markdown(
+            _(
+                "The machine, with the angular frequency $\\Omega$, stays in step with a plain mass $m$ on the same "
+                "spring $k$ if $\\Omega^2=k/m$. Only $\\varepsilon=m'/m$ matters: the mass of a lower roller divided "
+                "by the mass of the others."
+            )
         )
+        colors = theme.colors()
+        with st.skeleton(height=300):
+            equations = cache.unit_equations(colors["primary"], colors["paper"])
+        st.latex(equations)
+    with picture:
+        draw_stacks()
         story = _(
             "G. H. Hardy found {number}, the number of his taxicab, rather dull. “No,” said Ramanujan: it is the "
             "smallest number that is a sum of two cubes in two different ways."
         )
-        for sentence in (aim, story):
-            st.markdown(sentence.format(number=PAPER.discriminant))
-        st.header(_("When is the machine in step?"), anchor=False)
-        st.markdown(
-            _(
-                "The machine has the angular frequency $\\Omega$, a plain mass $m$ on the same spring $k$ has "
-                "$\\sqrt{{k/m}}$. They stay in step for ever if $\\Omega^2m/k=1$. Only the ratio $\\varepsilon=m'/m$ "
-                "matters: the mass of a lower roller divided by the mass of the others."
-            )
-        )
-        with st.skeleton(height=60):
-            equation = cache.frequency_equation()
-        st.latex(equation)
-    with slide("cubes", _("Two stacks of cubes")), figure:
-        st.markdown(_("If $\\Omega^2m/k=1$, the mass ratio $\\varepsilon$ solves a quadratic equation:"))
-        equations, meaning = st.columns(2, gap="medium", vertical_alignment="center")
-        with equations:
-            colors = theme.colors()
-            st.latex(cache.unit_equations(colors["primary"], colors["paper"]))
-        with meaning:
+        st.markdown(story.format(number=PAPER.discriminant))
+        if not is_projector():
             smaller, larger = PAPER.cubes[0]
-            sentence = _(
-                "The right side is the discriminant $b^2-4ac$ of the quadratic equation. Its two terms are cubes, "
-                "${one}={x}^3$ and ${other}={y}^3$: the left stack. The right stack has as many unit cubes. Why the "
-                "machine leads to a number of this kind is not known."
+            meaning = _(
+                "The number is the discriminant $b^2-4ac$ of the quadratic equation. Its two terms are cubes, "
+                "${one}={x}^3$ and ${other}={y}^3$: the left stack. The right stack has as many unit cubes."
             )
-            st.markdown(sentence.format(one=smaller**3, x=smaller, other=larger**3, y=larger))
-        draw_stacks()
+            st.markdown(meaning.format(one=smaller**3, x=smaller, other=larger**3, y=larger))
 
 
 if __name__ == "__main__":

@@ -21,7 +21,7 @@ def test_figures_have_text_alternatives_and_a_click_builds_a_machine(visit: obje
     assert page.locator(".st-key-cubes svg").count() == 2
     # The number of the equation ends the captions of both stacks, on the same background.
     assert page.locator(".st-key-cubes figcaption b").all_inner_texts() == ["1729"] * 2
-    ends = page.locator(".st-key-columns-in_step").locator(".colorbox, figcaption b").all()
+    ends = page.locator(".st-key-in_step").locator(".colorbox, figcaption b").all()
     assert len({end.evaluate("(node) => getComputedStyle(node).backgroundColor") for end in ends}) == 1
     assert len(ends) == 3
     # A click on a machine builds it; test_scene_taxicab checks that its ratio brings it into step.
