@@ -1,4 +1,4 @@
-"""The figures of the page 1729: the target on the Ω² curve, and the 40 machines."""
+"""The figures of the page 1729: the target on the Ω² curve, the 40 machines, and the curve of the two sums."""
 
 from collections.abc import Mapping, Sequence
 
@@ -118,4 +118,36 @@ def draw_machine_grid(
         shapes=[{"type": "rect", "line": {"color": colors["ink"], "width": 3}, **around}],
         xaxis={**plain, "tickvals": list(range(len(columns))), **across},
         yaxis={**plain, **below, "tickfont": {"size": 13}},
+    )
+
+
+def draw_sums_of_cubes(number: int, sums: Sequence[tuple[int, int]], colors: Mapping[str, str]) -> EncodedFigure:
+    """Draw the curve x³ + y³ = number and its points with whole coordinates.
+
+    Parameters
+    ----------
+    number : the sum of two cubes
+    sums : pairs of integers whose cubes add up to the number
+    colors : ink, faint, paper, primary, top
+    """
+    x = np.cbrt(np.linspace(0, number, 121))
+    smaller, larger = zip(*sums, strict=True)
+    lines = range(int(x[-1]) + 2)
+    # Every whole number has a line, and those of the points have a label.
+    ticks = {"tickvals": list(lines), "ticktext": [str(n) if n in (0, *smaller, *larger) else "" for n in lines]}
+    axis = {"range": [0, len(lines)], **ticks, "constrain": "domain", "fixedrange": True}
+    beside = {"xanchor": "left", "yanchor": "bottom", "xshift": 8, "yshift": 3}
+    labels = [note(f"{one}³ + {other}³", None, one, other) | beside for one, other in sums]
+    curve_label = note(f"<i>x</i>³ + <i>y</i>³ = {number}", colors["primary"], x[-1] / 2, x[-1] / 2)
+    return build_figure(
+        [
+            line(np.float32(x), np.float32(x[::-1]), color=colors["primary"], width=3),
+            marks(smaller + larger, larger + smaller, "star", 16, colors["top"]),
+        ],
+        colors,
+        336,
+        annotations=[*labels, curve_label],
+        hovermode=False,
+        xaxis={**axis, "title": {"text": "<i>x</i>"}},
+        yaxis={**axis, "title": {"text": "<i>y</i>"}, "scaleanchor": "x"},
     )

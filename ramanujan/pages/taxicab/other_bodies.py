@@ -44,6 +44,7 @@ def draw_other_bodies() -> None:
         stages.mount(None, key=STAGE, layers=())
         publish_machine(chosen)
     with slide("forty", _("All machines")):
+        st.header(_("All machines"), anchor=False)
         table, words = st.columns([1, 1], gap="medium")
         with table:
             draw_all_machines(results.machine)

@@ -109,16 +109,16 @@ def draw_open_question() -> None:
     The tests of this page prove the formula and count the numbers in these sentences.
     """
     with slide("reason", _("Is there a reason?")):
-        st.header(_("Is there a reason?"), anchor=False)
-        known, unknown = columns("reason")
-        with known:
+        words, figure = columns("reason")
+        picture_column, words_column = picture_and_words(2)
+        with words, words_column:
+            st.header(_("Is there a reason?"), anchor=False)
             st.markdown(
                 _(
                     "**Known.** With a hoop and a cylinder below, the number is always a square plus three times a "
                     "square: $1729=41^2+3\\cdot4^2$. Such numbers are often sums of two cubes."
                 )
             )
-        with unknown:
             st.markdown(
                 _(
                     "**Not known.** Why is 1729 such a sum in two ways, and even the smallest such number? The paper "
@@ -131,9 +131,18 @@ def draw_open_question() -> None:
                     "of two cubes is left."
                 )
             )
-        if not display_mode.is_projector():
-            with known, st.expander(_("Known in detail")):
-                _describe_known_form()
+            if not display_mode.is_projector():
+                with st.expander(_("Known in detail")):
+                    _describe_known_form()
+        with figure, picture_column:
+            st.markdown(_("Only at the marked points are $x$ and $y$ whole numbers."))
+            alternative = _("The curve x³ + y³ = {number}. It passes through the points of the sums {sums}.")
+            sums = ", ".join(f"{x}³ + {y}³" for x, y in PAPER.cubes)
+            drawings.plot(
+                figures.draw_sums_of_cubes(PAPER.discriminant, PAPER.cubes, theme.colors()),
+                "sums",
+                alternative.format(number=PAPER.discriminant, sums=sums),
+            )
 
 
 def _describe_known_form() -> None:

@@ -16,7 +16,7 @@ def test_figures_have_text_alternatives_and_a_click_builds_a_machine(visit: obje
     page.wait_for_selector(".st-key-machines .js-plotly-plot")
     settle(page)
     labels = page.evaluate("[...document.querySelectorAll('.stPlotlyChart')].map(e => e.getAttribute('aria-label'))")
-    assert len(labels) == 2
+    assert len(labels) == 3
     assert all(label and any(map(str.isdigit, label)) for label in labels)
     assert page.locator(".st-key-cubes svg").count() == 2
     # The number of the equation ends the captions of both stacks, on the same background.

@@ -1,6 +1,7 @@
 """Page 4 under AppTest: its texts against brute force and SymPy; its figures; bad input."""
 
 import re
+from base64 import b64decode
 from collections import Counter
 from fractions import Fraction
 from itertools import combinations, combinations_with_replacement, product
@@ -202,6 +203,15 @@ def test_labels_of_the_curve_stay_on_the_figure_at_every_target() -> None:
         # Without margins, the plot is 270 px high. A label of two lines extends 20 px from its middle.
         height = 270 * (w - low) / (high - low) - label.ay
         assert 20 <= height <= 270 - 10
+
+
+def test_all_whole_points_of_the_curve_of_the_sums_are_marked() -> None:
+    number = smallest_in_two_ways()
+    curve, marked = go.Figure(figures.draw_sums_of_cubes(number, two_cubes(number), COLORS).to_dict()).data
+    points = [(x, y) for x, y in product(range(1, 20), repeat=2) if x**3 + y**3 == number]
+    assert sorted(zip(marked.x, marked.y, strict=True)) == points
+    x, y = (np.frombuffer(b64decode(values["bdata"]), np.float32) for values in (curve.x, curve.y))
+    assert x**3 + y**3 == pytest.approx(number, rel=1e-5)
 
 
 def test_no_equation_is_shown_twice():
