@@ -20,6 +20,7 @@ const SMALLEST_RADIUS = 8; // cm, the least unit of these lengths, so that the a
 const LONGEST_FORCE_HEAD = 2.7; // cm
 const SHORTEST_LETTERED = 1; // cm, the shortest force with a visible letter
 const GAP = 1.2; // cm between an arrow and its label
+const LETTER = { half: 1.5, shift: 0.9 }; // cm, half the height of a force's letter, and its height above the arrow
 const LABEL_WIDTH = 15; // cm, at least the width of the longest label of `drawRolling`
 
 export function makeLayers(root) {
@@ -150,12 +151,16 @@ export function makeLayers(root) {
 
   /** Draw the letter of a force at the head of its arrow, as in the equations; draw the step's own forces strongly. */
   function drawLetter(name, x, y, length) {
-    const [force, body] = name.split(" "), { roller } = CONTACTS[force] ?? {};
+    const [force, body] = name.split(" "), { roller, side: contactSide } = CONTACTS[force] ?? {};
     const letter = (letters[name] ??= element("text", {}, find(`.forces [data-line="${name}"]`)));
     const side = length < 0 ? -1 : 1, isVisible = roller && Math.abs(length) > SHORTEST_LETTERED;
-    set(letter, { x: x + length + side * GAP, y: -y });
+    // Each letter is clear of the outlines: away from the contact, and outside the rim of a roller.
+    const isOnRoller = body === roller, letterY = y + (isOnRoller ? -1 : 1) * (contactSide ?? 0) * LETTER.shift;
+    const inner = isOnRoller ? Math.abs(letterY - place.centre[roller][1]) - LETTER.half : place.R;
+    const rim = Math.sqrt(Math.max(0, place.R ** 2 - inner ** 2));
+    set(letter, { x: x + side * (Math.max(Math.abs(length), rim) + GAP), y: -letterY });
     Object.assign(letter.style, { textAnchor: side < 0 ? "end" : "start", visibility: isVisible ? "" : "hidden" });
-    if (roller) letter.textContent = (body === roller ? "" : "−") + WORDS.contact_force[force][0];
+    if (roller) letter.textContent = (isOnRoller ? "" : "−") + WORDS.contact_force[force][0];
     letter.parentNode.classList.toggle("faint", !data.forces.includes(force));
   }
 

@@ -18,7 +18,7 @@ from ramanujan.derivation.remarks import REMARKS
 from ramanujan.pages.derivation import cache
 from ramanujan.pages.derivation.normal_modes import MODES, draw_modes
 from ramanujan.shell import address, display_mode, menu, messages, sidebar, stages, theme, widgets
-from ramanujan.shell.display_mode import columns, slide
+from ramanujan.shell.display_mode import columns, picture_and_words, slide
 from ramanujan.shell.pending_updates import set_widgets
 from ramanujan.shell.sections.cubes import draw_stacks
 from ramanujan.shell.sections.typed_answer import QUESTION, draw_section
@@ -265,11 +265,12 @@ def compare_routes() -> None:
     """Draw the common result of all routes, and for each route a check mark on a button that selects it."""
     st.header(_("All routes give the same frequency"), anchor=False)
     words, formulas = columns("results")
-    with formulas:
+    formulas_column, words_column = picture_and_words()
+    with formulas, formulas_column:
         for line in cache.result(None if display_mode.hides("numbers") else current_numbers()):
             st.latex(line)
-    with words:
-        with st.container(horizontal=True):
+    with words, words_column:
+        with st.container(horizontal=not display_mode.is_projector()):
             for route in cache.all_routes():
                 agrees = cache.agrees(route.name)
                 is_chosen = st.button(
