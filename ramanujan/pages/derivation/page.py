@@ -86,7 +86,16 @@ def draw_route() -> Setting:
     """Draw the options, the steps and the machine. In the projector view they share one slide."""
     setting = read_setting()
     with slide("lecture", _("The steps")):
-        st.title(_("Many ways to one frequency"), anchor=False)
+        words, goal = columns("goal")
+        with words:
+            st.title(_("Many ways to one frequency"), anchor=False)
+            if not display_mode.is_projector():
+                st.markdown(
+                    _(
+                        "Released at rest, the machine oscillates with one angular frequency, $\\Omega$. Choose a "
+                        "route from the five bodies to this formula, and follow it step by step."
+                    )
+                )
         head = st.container(horizontal=True, vertical_alignment="center", key="choices")
         # Above machine and steps, because a warning between them would push the machine away.
         if address.current(STEP) > len(setting.steps):
@@ -99,6 +108,9 @@ def draw_route() -> Setting:
         # The first visitor of a server waits for all routes, because the options contain their names.
         with steps, st.skeleton(height=_STEP_HEIGHT):
             cache.all_routes()
+        if not display_mode.is_projector():
+            with goal:
+                st.latex(cache.result(None)[0])
         with head:
             draw_options()
             turn_pages(setting)
@@ -266,8 +278,10 @@ def compare_routes() -> None:
     st.header(_("All routes give the same frequency"), anchor=False)
     words, formulas = columns("results")
     formulas_column, words_column = picture_and_words()
+    lines = cache.result(None if display_mode.hides("numbers") else current_numbers())
     with formulas, formulas_column:
-        for line in cache.result(None if display_mode.hides("numbers") else current_numbers()):
+        # Without a projector, the formula is at the top of the page.
+        for line in lines if display_mode.is_projector() else lines[1:]:
             st.latex(line)
     with words, words_column:
         with st.container(horizontal=not display_mode.is_projector()):
