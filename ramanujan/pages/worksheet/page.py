@@ -1,5 +1,7 @@
 """A printable worksheet: questions about the current machine with space to write, or the answer key."""
 
+from itertools import groupby
+
 import streamlit as st
 
 from ramanujan import Oscillator
@@ -35,16 +37,27 @@ def show() -> None:
             st.markdown(_("A worksheet is for paper. Turn off *Projector* to read and print it."))
             exercise.draw_composer()
         return
-    with st.container(key="worksheet_tools"):
+    both = st.container(key="worksheet_columns")
+    with both.container(key="worksheet_tools"):
         paper, seed, level = draw_options()
         exercise.draw_composer()
     machine = sidebar.oscillator()
     questions = make_questions(machine, seed, level)
     calculation_numbers = [number for number, question in enumerate(questions, start=1) if question.working]
-    with st.container(key="worksheet", border=True):
+    with both.container(key="worksheet", border=True):
         draw_head(machine, paper, seed, calculation_numbers, sum(question.points for question in questions))
-        for number, question in enumerate(questions, start=1):
-            draw_question(number, question, paper == "key")
+        for title, numbered in groupby(enumerate(questions, start=1), lambda pair: part_title(pair[1])):
+            st.header(title, anchor=False)
+            for number, question in numbered:
+                draw_question(number, question, paper == "key")
+
+
+def part_title(question: WorksheetQuestion) -> str:
+    """Return the title of the part of the worksheet that contains a question."""
+    # TRANSLATORS: the titles of the three parts of a worksheet.
+    if question.options:
+        return _("Predict")
+    return _("Calculate") if question.working else _("Derive")
 
 
 def question_parts(question: WorksheetQuestion, with_key: bool) -> tuple[str, ...]:
@@ -130,11 +143,12 @@ def draw_head(machine: Oscillator, paper: str, seed: str, calculation_numbers: l
         lines = _("Name {line} Date {line} Points {line} of {points}")
         st.html(f"<p class='name' style='display:flex;gap:.4em'>{lines.format(line=_LINE, points=points)}</p>")
     values = ", ".join(parameter.equation(parameter.value) for parameter in PARAMETERS.values())
-    with st.container(key="worksheet_picture"):
+    head = st.container(key="worksheet_head")
+    with head.container(key="worksheet_picture"):
         drawings.draw(
             draw_svg(machine, sidebar.compression(), theme.paper_colors()),
             alt=_("The machine, drawn to scale: block, hoop, lower cylinder, slab, spring and top cylinder."),
-            style="width:35rem;max-width:100%",
+            style="width:100%",
         )
     sentences = [
         _(
@@ -148,7 +162,7 @@ def draw_head(machine: Oscillator, paper: str, seed: str, calculation_numbers: l
             first=calculation_numbers[0], last=calculation_numbers[-1], values=values
         ),
     ]
-    st.markdown("\n\n".join(sentences))
+    head.markdown("\n\n".join(sentences))
 
 
 def draw_question(number: int, question: WorksheetQuestion, with_key: bool) -> None:
