@@ -45,7 +45,8 @@ def draw_other_bodies() -> None:
         publish_machine(chosen)
     with slide("forty", _("All machines")):
         st.header(_("All machines"), anchor=False)
-        table, words = st.columns([1, 1], gap="medium")
+        with st.container(key="forty"):
+            table, words = st.columns([1, 1], gap="medium")
         with table:
             draw_all_machines(results.machine)
         with words:
@@ -67,7 +68,9 @@ def explain_bodies() -> None:
 
 def draw_options() -> None:
     """Draw the options in one row."""
-    for column, parameter in zip(st.columns(3, gap="small"), URL_PARAMETERS, strict=True):
+    with st.container(key="choices_bodies"):
+        columns = st.columns(3, gap="small")
+    for column, parameter in zip(columns, URL_PARAMETERS, strict=True):
         with column:
             widgets.segmented_control(parameter, PLACE_WORDS[parameter.name], on_change=bring_into_step)
 
