@@ -64,12 +64,13 @@ STOPS = (
                 "Which bodies move in opposite directions?"
             ),
             "behind": _(
-                "Then the machine’s hand would make less than one turn in each period of the plain mass. It makes "
-                "{turn:4} turns. How fast would two bodies of {machine.m:1 kg} oscillate with the spring between them?"
+                "In that case the machine’s hand would make less than one turn in each period of the plain mass. It "
+                "makes {turn:4} turns. How fast would two bodies of {machine.m:1 kg} oscillate with the spring between "
+                "them?"
             ),
             "together": _(
-                "Then the hands would never part. But in each period of the plain mass the machine’s hand makes "
-                "{turn:4} turns, and the small difference adds up. After how many periods is it a full turn?"
+                "In that case the hands would never part. But in each period of the plain mass the machine’s hand "
+                "makes {turn:4} turns, and the small difference adds up. After how many periods is it a full turn?"
             ),
         },
         answer=_compare_with_plain_mass,

@@ -56,7 +56,7 @@ def draw_verdict() -> None:
             method, steps = tried_runs()[-1]
             tasks.draw_verdict(TASK, Attempt(method=method, steps=steps))
         else:
-            sentence = _("Press *Run*: both machines move through {periods} periods.")
+            sentence = _("*Run* starts both machines again and checks the error after {periods} periods.")
             st.caption(sentence.format(periods=PERIODS))
 
 

@@ -43,7 +43,7 @@ def draw_reason() -> None:
         draw_stacks()
         story = _(
             "G. H. Hardy found {number}, the number of his taxicab, rather dull. “No,” said Ramanujan: it is the "
-            "smallest number that is a sum of two cubes in two different ways."
+            "smallest number that is a sum of two positive cubes in two different ways."
         )
         st.markdown(story.format(number=PAPER.discriminant))
         if not is_projector():
