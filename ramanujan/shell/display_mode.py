@@ -115,7 +115,8 @@ def folded(name: str, title: str, *parts: Callable[[], None]) -> None:
                 st.header(part_title, anchor=False)
                 draw()
         return
-    fold = st.expander(title, key=f"fold_{name}", on_change="rerun")
+    # After a change of the theme, an expander with a border keeps its whole page in the browser's memory.
+    fold = st.expander(title, key=f"fold_{name}", on_change="rerun", type="compact")
     if fold.open:
         with fold:
             for draw in parts:

@@ -61,7 +61,8 @@ def show() -> None:
         if not is_projector:
             # The line of the fold is the verdict, in every view. It is open where the forces are drawn.
             is_open = address.current(FIGURE) == "forces"
-            contacts = verdict = contacts.expander(heading, expanded=is_open, key=f"contacts_{is_open}")
+            verdict = contacts.expander(heading, expanded=is_open, key=f"fold_contacts_{is_open}", type="compact")
+            contacts = verdict
         with contacts:
             widgets.page_slider(MU)
         with verdict:
@@ -80,7 +81,8 @@ def choose_initial_velocities() -> AbstractContextManager[Any]:
     if display_mode.is_projector():
         return nullcontext()
     is_open = any(parameter.value for parameter in (GLIDE, SPIN))
-    return st.expander(_("Give the machine an initial velocity"), expanded=is_open, key="initial_velocities")
+    title = _("Give the machine an initial velocity")
+    return st.expander(title, expanded=is_open, key="fold_velocities", type="compact")
 
 
 def draw_machine(motion: Record, friction: Friction) -> None:

@@ -85,7 +85,7 @@ def draw_race() -> None:
     with about:
         st.markdown(_EXPLANATIONS[address.current(ERROR)])
         st.markdown(verdicts.describe_method(METHODS[method]))
-    with st.expander(_("This run in numbers")):
+    with st.expander(_("This run in numbers"), key="fold_numbers", type="compact"):
         st.markdown(verdicts.describe_errors(cache.run(method, steps)))
         st.markdown(verdicts.describe_stability(METHODS[method], steps))
 
@@ -94,7 +94,9 @@ def draw_price() -> None:
     """Draw the cost of accuracy, and that of exactness."""
     with slide("costs", _("What accuracy costs")):
         measure_and_draw = costs.draw_costs()
-    fold = None if display_mode.is_projector() else st.expander(_("The cheapest run of each method"))
+    fold = None
+    if not display_mode.is_projector():
+        fold = st.expander(_("The cheapest run of each method"), key="fold_cheapest", type="compact")
     folded("arithmetics", _("What exactness costs"), limits.draw_arithmetics)
     measure_and_draw()
     if fold:
@@ -111,7 +113,7 @@ def draw_limits() -> None:
     with second, slide("forms", _("Very large and small numbers")):
         forms = limits.draw_forms()
     if not display_mode.is_projector():
-        with st.expander(_("Where each form fails, and the formulas")):
+        with st.expander(_("Where each form fails, and the formulas"), key="fold_forms", type="compact"):
             limits.list_failures(forms)
     solver = _("A general eigen-solver, which does not know this machine")
     folded("solver", solver, limits.explain_solvers, limits.list_zero_modes)
