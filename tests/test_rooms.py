@@ -4,6 +4,7 @@ import ast
 import re
 import subprocess
 import sys
+import tomllib
 from pathlib import Path
 
 import grimp
@@ -34,6 +35,14 @@ def test_every_name_in_the_guide_is_defined_in_its_file():
         code = path.read_text(encoding="utf-8")
         defined = re.search(rf"^(?:(?:def|class) )?{name}\b", code, re.MULTILINE)
         assert defined, f"CONTRIBUTING.md mentions {name} of {file}, which defines no such name."
+
+
+def test_no_line_of_a_style_sheet_or_module_is_longer_than_one_of_python():
+    longest = tomllib.loads((ROOT / ".ruff.toml").read_text(encoding="utf-8"))["line-length"]
+    files = [path for folder in ("ramanujan", "tests") for path in (ROOT / folder).rglob("*.[cj]s*")]
+    for path in (path for path in files if path.suffix in (".css", ".js")):
+        for number, line in enumerate(path.read_text(encoding="utf-8").splitlines(), start=1):
+            assert len(line) <= longest, f"{path}, line {number} is longer than {longest} characters."
 
 
 def test_every_mutation_changes_its_file():

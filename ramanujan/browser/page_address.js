@@ -1,6 +1,6 @@
 // The settings in the page's address, and the entries of the browser's history. Each setting has one writer: Streamlit
-// and exact.js for a slider, keeper.js for the view of a stage, and the server (shell/address.py) for all others. Scripts
-// write the address only with this module, except frame.js, which runs before any module.
+// and exact.js for a slider, keeper.js for the view of a stage, and the server (shell/address.py) for all others.
+// Scripts write the address only with this module, except frame.js, which runs before any module.
 
 const STANDALONE = "standalone" in document.documentElement.dataset;
 

@@ -105,6 +105,15 @@ def picture_and_words(picture_width: int = 3) -> Sequence[AbstractContextManager
     return nullcontext(), nullcontext()
 
 
+def fold(name: str, title: str, **options: Any) -> Any:
+    """Return a line that expands; `options` are those of `st.expander`.
+
+    After a change of the theme, an expander with a border keeps its whole page in the browser's memory. This one has
+    no border.
+    """
+    return st.expander(title, key=f"fold_{name}", type="compact", **options)
+
+
 @st.fragment
 def folded(name: str, title: str, *parts: Callable[[], None]) -> None:
     """Draw an expander, and its parts while it is open. In the projector view, draw each part on its own slide."""
@@ -115,10 +124,9 @@ def folded(name: str, title: str, *parts: Callable[[], None]) -> None:
                 st.header(part_title, anchor=False)
                 draw()
         return
-    # After a change of the theme, an expander with a border keeps its whole page in the browser's memory.
-    fold = st.expander(title, key=f"fold_{name}", on_change="rerun", type="compact")
-    if fold.open:
-        with fold:
+    line = fold(name, title, on_change="rerun")
+    if line.open:
+        with line:
             for draw in parts:
                 draw()
 

@@ -96,7 +96,8 @@ function addSlider(parameter) {
   const box = outer.appendChild(document.createElement("div"));
   box.className = `st-key-${key}_exact`;
   outer.append(slider);
-  mounted.push(mount(box, "components/exact/exact", `${key}_exact`, head, (_event, text) => setFromText(parameter, text)));
+  const setExactly = (_event, text) => setFromText(parameter, text);
+  mounted.push(mount(box, "components/exact/exact", `${key}_exact`, head, setExactly));
 }
 
 // A browser that saves the page also saves what this script has added.

@@ -81,7 +81,8 @@ function slabMarks(block, slab, compression, place) {
 function radiusMarks(displacement, place) {
   const [x0, y0] = place.centre.top, x = x0 + displacement;
   const direction = (-60 * TURN) / 360; // of the line, from the vertical
-  const outside = 1.54; // distance of the label from the centre, in radii; inside, it would cover the letter of the mass
+  // Distance of the label from the centre, in radii. Inside the circle, it would cover the letter of the mass.
+  const outside = 1.54;
   const [dx, dy] = [place.R * Math.sin(direction), place.R * Math.cos(direction)];
   return {
     R_value: { d: `M${x} ${-y0}l${dx} ${-dy}` },

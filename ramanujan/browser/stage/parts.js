@@ -15,7 +15,10 @@ function partNodes(root) {
     hands: `.dial, .key, .together, .heard, ${CLOCK_SENTENCES}`,
     numbers: `.readouts, .legend b, .scales, ${CLOCK_SENTENCES}`,
     plain: ".machine > .plain",
-    motion: ["[data-do=play], .hands, .heard, .transport, .scrub, .show, .speeds, .viewpoint, .scales", ...moving].join(", "),
+    motion: [
+      "[data-do=play], .hands, .heard, .transport, .scrub, .show, .speeds, .viewpoint, .scales",
+      ...moving,
+    ].join(", "),
     ...Object.fromEntries(layers),
   };
 }

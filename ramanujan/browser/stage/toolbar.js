@@ -5,8 +5,8 @@ import { save } from "./save.js";
 import { WORDS } from "./texts.js";
 
 /**
- * Connect the controls with the methods of a stage: play(), listener.toggle(), step(by), release(), scrub(share), setClock({ speed }),
- * layer(name).
+ * Connect the controls with the methods of a stage: play(), listener.toggle(), step(by), release(), scrub(share),
+ * setClock({ speed }), layer(name).
  */
 export function listenToControls(root, stage, signal) {
   const all = (selector) => [...root.querySelectorAll(selector)];

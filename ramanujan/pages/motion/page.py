@@ -61,8 +61,8 @@ def show() -> None:
         if not is_projector:
             # The line of the fold is the verdict, in every view. It is open where the forces are drawn.
             is_open = address.current(FIGURE) == "forces"
-            verdict = contacts.expander(heading, expanded=is_open, key=f"fold_contacts_{is_open}", type="compact")
-            contacts = verdict
+            with contacts:
+                contacts = verdict = display_mode.fold(f"contacts_{is_open}", heading, expanded=is_open)
         with contacts:
             widgets.page_slider(MU)
         with verdict:
@@ -82,7 +82,7 @@ def choose_initial_velocities() -> AbstractContextManager[Any]:
         return nullcontext()
     is_open = any(parameter.value for parameter in (GLIDE, SPIN))
     title = _("Give the machine an initial velocity")
-    return st.expander(title, expanded=is_open, key="fold_velocities", type="compact")
+    return display_mode.fold("velocities", title, expanded=is_open)
 
 
 def draw_machine(motion: Record, friction: Friction) -> None:

@@ -85,7 +85,7 @@ def draw_race() -> None:
     with about:
         st.markdown(_EXPLANATIONS[address.current(ERROR)])
         st.markdown(verdicts.describe_method(METHODS[method]))
-    with st.expander(_("This run in numbers"), key="fold_numbers", type="compact"):
+    with display_mode.fold("numbers", _("This run in numbers")):
         st.markdown(verdicts.describe_errors(cache.run(method, steps)))
         st.markdown(verdicts.describe_stability(METHODS[method], steps))
 
@@ -96,7 +96,7 @@ def draw_price() -> None:
         measure_and_draw = costs.draw_costs()
     fold = None
     if not display_mode.is_projector():
-        fold = st.expander(_("The cheapest run of each method"), key="fold_cheapest", type="compact")
+        fold = display_mode.fold("cheapest", _("The cheapest run of each method"))
     folded("arithmetics", _("What exactness costs"), limits.draw_arithmetics)
     measure_and_draw()
     if fold:
@@ -113,7 +113,7 @@ def draw_limits() -> None:
     with second, slide("forms", _("Very large and small numbers")):
         forms = limits.draw_forms()
     if not display_mode.is_projector():
-        with st.expander(_("Where each form fails, and the formulas"), key="fold_forms", type="compact"):
+        with display_mode.fold("forms", _("Where each form fails, and the formulas")):
             limits.list_failures(forms)
     solver = _("A general eigen-solver, which does not know this machine")
     folded("solver", solver, limits.explain_solvers, limits.list_zero_modes)

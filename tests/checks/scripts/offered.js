@@ -8,6 +8,7 @@
     return width > 1 && inView && node.checkVisibility({ visibilityProperty: true, opacityProperty: true });
   };
   const links = "a[href]:not([aria-current], [aria-label='Link to heading'])";
-  const controls = `:is(${links}, button, input, select, summary, [role=slider]):not(:disabled, [role=combobox] ~ *, #box)`;
+  const focusable = `:is(${links}, button, input, select, summary, [role=slider])`;
+  const controls = `${focusable}:not(:disabled, [role=combobox] ~ *, #box)`;
   return all(document.body).filter((node) => node.matches(controls) && isVisible(node)).length;
 }

@@ -27,7 +27,7 @@
     const line = root.querySelector(`.hand.${name}`);
     return direction(at(line, 0, 0), at(line, line.x2.baseVal.value, line.y2.baseVal.value));
   };
-  // The arrow of the drift: the directions of its tail and of its tip, the length of its shaft, and the size of its head.
+  // The arrow of the drift: the directions of its tail and tip, the length of its shaft, and the size of its head.
   const driftArrow = () => {
     const arc = root.querySelector(".dial .drift circle"), head = root.querySelector(".dial .drift path");
     const centre = at(root.querySelector(".dial"), 0, 0), box = head.getBBox();
