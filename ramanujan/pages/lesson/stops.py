@@ -18,6 +18,7 @@ from ramanujan.browser.components import moment
 from ramanujan.browser.containers import container
 from ramanujan.lesson import Run, Stop
 from ramanujan.number_theory import BODIES
+from ramanujan.pages.classroom import shared_elements
 from ramanujan.pages.classroom.shared_elements import add_letters, last_sentence
 from ramanujan.physics.contact import first_to_slip
 from ramanujan.shell import class_session, display_mode, messages, progress, sidebar, stages, widgets
@@ -92,13 +93,15 @@ def draw(
             words = picture = reason = st.container()
         with above or words, container("lead", "question"):
             st.title(f"{number}. {stop.heading}", anchor=False)
-            # The desk needs the room for votes and reason.
-            st.markdown(last_sentence(stop.question) if draw_desk and running else stop.question)
+            # The desk needs the room for votes and reason; the style sheet also hides the first sentences on a phone.
+            question = last_sentence(stop.question)
+            setting = stop.question.removesuffix(question)
+            st.markdown(question if draw_desk and running else f"{setting}\n\n{question}" if running else stop.question)
         with words:
             if draw_desk:
                 draw_desk()
             else:
-                _draw_answers(stop, chosen, phase, with_options=has_own_slide)
+                _draw_answers(stop, chosen, phase)
     if has_own_slide:
         with slide("machine", _("The machine")):
             _words, picture, reason = draw_containers(stop, running)
@@ -115,13 +118,11 @@ def draw(
         st.fragment(draw_observation)(stop, running)
 
 
-def _draw_answers(stop: Stop, chosen: str | None, phase: str, *, with_options: bool) -> None:
-    """Draw the options, or the chosen option with its verdict."""
+def _draw_answers(stop: Stop, chosen: str | None, phase: str) -> None:
+    """Draw the options as buttons, or after a choice as a list with the verdict."""
     if chosen is None:
         draw_options(stop)
     else:
-        if with_options:
-            st.markdown("\n".join(f"- {label}" for label in add_letters(stop).values()))
         draw_verdict(stop, chosen, phase)
 
 
@@ -179,29 +180,44 @@ def draw_options(stop: Stop) -> None:
 
 
 def draw_verdict(stop: Stop, chosen: str, phase: str) -> None:
-    """Draw the prediction, after the run a verdict on it, and on request the right answer."""
+    """Draw all options with the prediction marked, after the run a verdict on it, and on request the right answer."""
     is_right = chosen == stop.right
+    is_answered = phase == progress.ANSWERED
     labels = add_letters(stop)
-    prediction = _("**Your prediction:** {option}").format(option=labels[chosen])
     # On a phone this part is above the machine.
     with container("lead", "verdict"):
+        shared_elements.draw_options(_mark_options(stop, chosen, is_answered))
         if phase == progress.PREDICTED:
-            st.markdown(prediction)
             _draw_moves(stop, chosen, stop.observation, progress.ANSWERED if is_right else progress.MISSED)
             return
         if is_right:
             sentence = _("Your prediction was right.")
-            st.markdown(f":green[:material/check_circle: **{sentence}**] {labels[stop.right]}")
-        elif phase == progress.MISSED:
-            sentence = _("Your prediction was different. {reply}").format(reply=stop.reply(chosen))
-            st.markdown(f"{prediction}\\\n{sentence}")
-            _draw_moves(stop, chosen, _("Show the answer"), progress.ANSWERED)
+            st.markdown(f":green[**{sentence}**]")
         else:
-            sentence = labels[stop.right]
-            st.markdown(f"{prediction}\\\n{stop.reply(chosen)}")
-            st.markdown(_(":green[:material/check_circle: **Right answer:**] {option}").format(option=sentence))
+            # TRANSLATORS: {option} is a sentence, and {reply} begins with its consequence: Then …
+            template = _("**Not right.** You predicted: *{option}* {reply}")
+            # A sentence follows each option, and some have no full stop.
+            option = stop.options[chosen].removesuffix(".") + "."
+            sentence = template.format(option=option, reply=stop.reply(chosen))
+            st.markdown(sentence)
+            if is_answered:
+                sentence = _("Right answer: {label}").format(label=labels[stop.right])
+            else:
+                _draw_moves(stop, chosen, _("Show the answer"), progress.ANSWERED)
     # The clicked button has disappeared with the focus, so announce the result to a screen reader.
-    topics.publish(f"verdict_{stop.id}", {"announce": {"sentence": sentence, "urgent": True}})
+    topics.publish(f"verdict_{stop.id}", {"announce": {"sentence": sentence.replace("*", ""), "urgent": True}})
+
+
+def _mark_options(stop: Stop, chosen: str, is_answered: bool) -> dict[str, str]:
+    """Return option → label, with the prediction and in the end the right answer marked."""
+    labels = add_letters(stop)
+    labels[chosen] = _("**{label}** –\u00a0*your\u00a0prediction*").format(label=labels[chosen])
+    if is_answered and chosen == stop.right:
+        labels[chosen] = f":green[:material/check_circle:] {labels[chosen]}"
+    elif is_answered:
+        right = _("**{label}** –\u00a0*right\u00a0answer*").format(label=labels[stop.right])
+        labels[stop.right] = f":green[:material/check_circle:] {right}"
+    return labels
 
 
 def _draw_moves(stop: Stop, chosen: str, label: str, phase: str) -> None:

@@ -93,7 +93,7 @@ def check_prediction(page) -> None:
     dial = page.evaluate(f"{inside('stage_two-clocks_0')}.querySelector('.dial').getBoundingClientRect()")
     assert dial["width"] >= 180
     assert dial["bottom"] < 720
-    expect(page.locator(".st-key-unseen-services [role=status]")).to_contain_text("Your prediction was different.")
+    expect(page.locator(".st-key-unseen-services [role=status]")).to_contain_text("You predicted: Behind by less")
 
 
 def check_turning(page) -> None:

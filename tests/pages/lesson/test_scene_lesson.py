@@ -82,7 +82,7 @@ def test_a_stop_reveals_its_motion_and_its_answer_only_on_request(opened, name):
     reply, right = stop.reply(wrong), stop.options[stop.answer()]
     app = opened(stop=name)
     page = sent(app)
-    explanation = sentences(stop.explanation()) | {stop.onward.label, "Right answer", "prediction was"}
+    explanation = sentences(stop.explanation()) | {stop.onward.label, "right\u00a0answer", "prediction was"}
     giveaways = explanation | sentences(reply) | (set() if stop.exhibit or name == "other-body" else frequencies(stop))
     if name in ("by-hand", "exactly"):
         # The options of the stop "exactly" contain close numbers, so compare seven digits.
@@ -104,6 +104,7 @@ def test_a_stop_reveals_its_motion_and_its_answer_only_on_request(opened, name):
     choose(app, name, wrong)
     page = sent(app)
     assert [text for text in giveaways if text in page] == []
+    check_marks(app, stop, wrong)
     before = app.button(key=f"on_{name}").label, stage_payloads(app), {text.value for text in app.markdown}
     for machine in stage_payloads(app):
         assert set(stop.hides) <= set(machine["hide"])
@@ -113,7 +114,9 @@ def test_a_stop_reveals_its_motion_and_its_answer_only_on_request(opened, name):
     page = sent(go_on(app, name))
     check_button(app, stop, *before)
     assert reply in page
+    assert f"You predicted: *{stop.options[wrong].removesuffix('.')}.* {reply}" in markdown(app)
     assert right not in reply
+    check_marks(app, stop, wrong)
     assert [text for text in explanation - {"prediction was"} if text in page] == []
     assert len(stage_payloads(app)) == len(stop.runs)
     assert not any(
@@ -128,13 +131,28 @@ def test_a_stop_reveals_its_motion_and_its_answer_only_on_request(opened, name):
     assert all(
         sentence in page for sentence in sentences(stop.explanation()) | {reply, stop.onward.label, "Right answer:"}
     )
+    check_marks(app, stop, wrong, stop.answer())
     assert app.pills(key="preset").options
 
-    shown = "\n".join(
-        text.value for text in go_on(opened(stop=name, chosen=f"{name}.{stop.answer()}.predicted"), name).markdown
-    )
+    app = go_on(opened(stop=name, chosen=f"{name}.{stop.answer()}.predicted"), name)
+    shown = markdown(app)
+    check_marks(app, stop, stop.answer(), stop.answer())
     assert "Your prediction was right." in shown
     assert stop.explanation() in shown
+
+
+def markdown(app) -> str:
+    return "\n".join(text.value for text in app.markdown)
+
+
+def check_marks(app, stop, chosen: str, right: str | None = None) -> None:
+    """Check that all options are still listed, and that only the prediction and the right answer are marked."""
+    listed = next(text.value for text in app.markdown if text.value.startswith("- ")).splitlines()
+    for line, (option, label) in zip(listed, add_letters(stop).items(), strict=True):
+        assert label in line
+        assert ("prediction" in line) == (option == chosen)
+        assert ("check_circle" in line) == (option == right)
+        assert (line == f"- {label}") == (option not in (chosen, right))
 
 
 SLOW = 60.0
