@@ -167,7 +167,7 @@ EVERYWHERE = ".stSidebar, header, .st-key-bar"
 """The common parts of all pages."""
 
 
-def test_every_kind_of_control_is_visible_in_forced_colours(visit):
+def test_controls_and_dotted_letters_are_visible_in_forced_colours(visit):
     page, checked, with_states, types = None, set(), set(), set()
     for each in PAGES.values():
         page = visit(each.path, within=page, figures=False, forced_colors="active")
@@ -178,11 +178,12 @@ def test_every_kind_of_control_is_visible_in_forced_colours(visit):
         assert check_controls(page, "[data-none]", checked) > 4
         types |= check_states(page, EVERYWHERE, with_states)
     assert types >= {"checkbox", "range", "tab", "radio"}
+    check_slides_and_popovers(visit("motion", within=page))
+    check_dotted_letters(visit("derivation?show=reading", within=page))
 
 
-def test_slides_popovers_and_the_projector_switch_are_visible_in_forced_colours(visit):
-    page = visit("motion", figures=False, forced_colors="active")
-    page.add_style_tag(content=CALM_PAGE)
+def check_slides_and_popovers(page: Page) -> None:
+    """Check popovers, the projector's switch and slides."""
     for name, place in (("Share", ".st-key-bar"), ("Steps, speed, view", "[class*='st-key-stage']")):
         page.get_by_role("button", name=name).press("Enter")  # after a click, React Aria shows no focus
         assert check_controls(page, f"header, .stSidebar, main :not({place}, {place} *, :has({place}))", set()) > 4
@@ -266,8 +267,8 @@ def check_formulas(page: Page) -> None:
     assert max(map(lost_share, *inks)) < 0.03
 
 
-def test_dotted_letters_are_whole_on_the_screen_and_on_paper(visit):
-    page = visit("derivation?show=reading", figures=False)
+def check_dotted_letters(page: Page) -> None:
+    """Check that dotted letters are complete on the screen and on paper."""
     check_formulas(page)
     page.emulate_media(media="print")
     page.add_style_tag(content=".stBidiComponent { display: none }")  # on a screen it would cover the text
