@@ -123,6 +123,14 @@ def server(pytestconfig: pytest.Config) -> Iterator[str]:
 
 
 @pytest.fixture(scope="session")
+def german() -> Iterator[str]:
+    """The address of an app in German. Its tests have the mark xdist_group("german"), so that one worker starts it."""
+    variables = {"RAMANUJAN_LANGUAGE": "de", "RAMANUJAN_LANGUAGES": "en:/,hu:/hu/,de:/de/"}
+    with running(ROOT / "app.py", **variables) as address:
+        yield address
+
+
+@pytest.fixture(scope="session")
 def chromium(playwright: object) -> Iterator[object]:  # noqa: F811
     """One headless browser for all tests of a worker."""
     if CHROMIUM is None:

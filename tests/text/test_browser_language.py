@@ -4,14 +4,13 @@ They also fit a narrow phone, on which nothing scrolls sideways.
 """
 
 import re
-from collections.abc import Iterator
 
 import pytest
 
-from tests.checks.browser import ROOT, running, script, settle
+from tests.checks.browser import script, settle
 from tests.checks.layout import ADDRESSES, OVERLAPS
 
-pytestmark = pytest.mark.xdist_group("german")  # one server for both tests
+pytestmark = pytest.mark.xdist_group("german")
 
 CUT = script("cut")
 """Elements that are too wide and do not scroll. Streamlit's bar of pages moves long names into a menu."""
@@ -40,14 +39,6 @@ SMALL = """() => [...document.querySelectorAll("main button, [data-testid=stSide
 WIDTHS = (
     """[document.documentElement, document.querySelector("[data-testid=stMain]")].map((each) => each.scrollWidth)"""
 )
-
-
-@pytest.fixture(scope="module")
-def german() -> Iterator[str]:
-    """The address of an app in German."""
-    variables = {"RAMANUJAN_LANGUAGE": "de", "RAMANUJAN_LANGUAGES": "en:/,hu:/hu/,de:/de/"}
-    with running(ROOT / "app.py", **variables) as address:
-        yield address
 
 
 def test_longer_words_fit_on_a_screen_and_on_a_narrow_phone(visit, german):
