@@ -1,7 +1,7 @@
 """The texts of the stage: templates that the page fills with numbers, and the texts of stage.html."""
 
 from ramanujan.text.names import BODIES, CONTACTS, SHAPES, SPRING
-from ramanujan.text.translation import _
+from ramanujan.text.translation import _, pgettext
 
 SENTENCES = {
     "picture": _(
@@ -114,6 +114,7 @@ TEXTS = {
     "centre_caption": _("centre of mass"),
     "energy_bar": _("Energy by body. The parts of the bar change; its length, the total energy, stays the same."),
     "dial": _("Two clock hands: each makes one full turn in one period. They stay together if both periods are equal."),
+    "dial_start": pgettext("place at the top of a clock", "start"),
     "machine_hand": _("machine, Ω"),
     "plain_hand": _("plain mass, √(k/m)"),
     "together": _("Start together"),
