@@ -8,7 +8,7 @@ import io
 import numpy as np
 import pytest
 from PIL import Image
-from playwright.sync_api import Locator, Page
+from playwright.sync_api import Locator, Page, expect
 
 from ramanujan.shell.menu import PAGES
 from tests.checks.browser import script, settle
@@ -225,9 +225,7 @@ def test_desk_phone_and_wall_show_the_chosen_option(visit):
     # All votes are for another option than the first.
     bars, options = desk.locator("[data-testid=stProgressBarTrack]"), wall.locator("[class*=st-key-wall_options] li")
     bars.first.wait_for()
-    options.locator("strong").first.wait_for()
-    settle(desk)
-    settle(wall)
+    expect(options.locator("strong", has_text="100")).to_be_visible()
     for shares in (bars, options):
         pictures = [Image.open(io.BytesIO(share.screenshot(**AS_IT_IS))).convert("RGB") for share in shares.all()]
         colors = [picture.getcolors(2**16) for picture in pictures]

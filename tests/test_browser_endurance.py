@@ -10,7 +10,7 @@ from collections.abc import Callable
 import pytest
 
 from ramanujan import Oscillator
-from tests.checks.browser import next_frame, settle
+from tests.checks.browser import clock_rate, next_frame, settle
 from tests.checks.look import switch
 from tests.checks.picture import Picture
 from tests.settings import DEEP
@@ -21,13 +21,6 @@ PLACES = (*range(1, 5), 0) if ROUNDS > 1 else (2, 0)
 """The tested pages: all pages with a stage, or the two with marks in their figures."""
 KEYS = ("ArrowRight", "ArrowLeft")
 LINKS = "document.querySelectorAll('[data-testid=stTopNavLink]')"
-FAST_CLOCK = """
-const now = performance.now.bind(performance), then = now();
-performance.now = () => then + 60 * (now() - then);
-const request = requestAnimationFrame.bind(window);
-window.requestAnimationFrame = (draw) => request(() => draw(performance.now()));
-"""
-"""Makes the clock sixty times as fast: the stage runs an hour in a minute."""
 CURSORS = """[...document.querySelectorAll('.js-plotly-plot')].reduce((sum, {layout, data}) =>
   sum + (layout.meta.cursor === 'orbit' ? data.length : 1), 0)"""
 """Expected number of marks of the time cursor in the figures of the page."""
@@ -100,7 +93,7 @@ def test_a_running_stage_and_a_hundred_changes_leave_nothing_behind(bare: Callab
     here = bare()
     here.sliders(m=1, m_prime=1, k=10, compression=8, radius=10)
     picture, tab = Picture(here), here.page
-    tab.evaluate(f"() => {{ {FAST_CLOCK} }}")
+    tab.evaluate(clock_rate(60))
     tab.evaluate("setReducedMotion(false)")
     client = performance_client(tab)
 

@@ -244,6 +244,15 @@ def until(page: Page, condition: str, given: object = None, seconds: float = PAT
         page.wait_for_timeout(100)
 
 
+def clock_rate(rate: float) -> str:
+    """Return JavaScript that makes the page's clock `rate` times as fast from now on."""
+    return f"""() => {{
+      const now = performance.now.bind(performance), request = requestAnimationFrame.bind(window), then = now();
+      performance.now = () => then + {rate} * (now() - then);
+      window.requestAnimationFrame = (draw) => request(() => draw(performance.now()));
+    }}"""
+
+
 def next_frame(page: Page) -> None:
     """Wait until the browser has drawn the last change, to the end of the next animation frame."""
     page.evaluate("new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done)))")
