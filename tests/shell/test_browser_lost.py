@@ -82,7 +82,7 @@ def record(page, name: str, topic: str, item: str) -> None:
 # ---- the sliders
 
 
-def test_over_a_slow_network_every_slider_preset_and_typed_value_is_kept(late):
+def test_over_a_slow_or_broken_network_every_slider_preset_typed_value_and_drag_of_the_slab_is_kept(late):
     page = late()
     check_slow_answer(page, late.by)
     check_many_drags(page, late.by)
@@ -91,6 +91,9 @@ def test_over_a_slow_network_every_slider_preset_and_typed_value_is_kept(late):
     check_keys_after_entry(page, late.by)
     for seconds in (0.0, 0.4):
         check_preset_after_typing(page, late.by, seconds)
+    check_held_slab(page, late.by)
+    check_keys_behind_the_slab(page, late.by)
+    check_broken_network(page, late)
 
 
 def check_slow_answer(page, late_by) -> None:
@@ -222,13 +225,6 @@ def test_over_a_slow_network_a_lecture_keeps_its_preset_and_every_key_press(late
 
 
 # ---- the slab
-
-
-def test_no_message_moves_a_dragged_slab_and_no_key_press_after_it_is_lost(late):
-    page = late()
-    check_held_slab(page, late.by)
-    check_keys_behind_the_slab(page, late.by)
-    check_broken_network(page, late)
 
 
 def check_held_slab(page, late_by) -> None:
