@@ -9,8 +9,8 @@ import { element, put } from "./svg.js";
 import { WORDS } from "./texts.js";
 
 const ARC = 0.5; // radius of the arc that shows an angle, in radii of the roller
-// The arrow of the positive sense outside the rim [degrees, radii].
-const SENSE = { from: 44, to: 74, label: 68, radius: 1.12 };
+// The arrow of the positive sense outside the rim [degrees, radii], between the forces at the top and at the bottom.
+const SENSE = { from: 66, to: 96, label: 90, radius: 1.12 };
 
 /** Return mark → attributes: `d` of a line, or x and y of a label. Pure. */
 function coordinateMarks(known, place, shift) {
@@ -61,19 +61,19 @@ function angleMarks(name, angle, displacement, place) {
 
 /**
  * Lengths from the slab's end at the spring's natural length: x₀ to the point of release, 2Rφ to the present position.
+ * The arrow of 2Rφ reaches as far as x₀ to both sides, and its label is beyond.
  */
 function slabMarks(block, slab, compression, place) {
   const [right, left, end] = [place.slab.right + block, place.slab.left + block, place.slab.left + slab];
-  const above = place.slab.bottom + place.thick, low = place.slab.bottom + place.thick / 2;
-  const y0 = above + 2.6, y = above + 5.8 * Math.max(1, place.R / 10);
-  const guide = (from, to, y) => ({ d: `M${from} ${-low}V${-y - 1.2}M${to} ${-low}V${-y - 1.2}` });
+  const above = place.slab.bottom + place.thick, y0 = above + 4.4, y = above + 8.4 * Math.max(1, place.R / 10);
+  const guide = (from, to, y) => ({ d: `M${from} ${-above}V${-y - 1.2}M${to} ${-above}V${-y - 1.2}` });
   return {
     x0_guide: guide(right, right + compression, y0),
     x0_value: { d: `M${right} ${-y0}h${compression}` },
     x0_label: { x: right - 1, y: -y0 - 0.7 },
     slab_guide: guide(left, end, y),
     slab_value: { d: velocityArrow(left, y, end - left, headOf(place.R)) },
-    slab_label: { x: Math.max(left, end) + 1, y: -y },
+    slab_label: { x: left + compression + 1, y: -y },
   };
 }
 

@@ -64,7 +64,7 @@ export function anchors(place) {
   return {
     block: [(place.riser + place.right) / 2, place.upper * 0.35],
     ...place.centre,
-    // Its head stays clear of x₀.
+    // Between the slab and the row of 2Rφ; its head stays clear of x₀.
     slab: [0.7 * place.slab.left + 0.3 * place.slab.right, place.slab.bottom + place.thick + 2.5],
   };
 }
@@ -112,8 +112,8 @@ export const CONTACTS = mapValues(FORMULAS.contact_force, (_force, contact) => {
 const MAX_OFFSET = 1.5;
 
 /**
- * The forces parallel to the floor, name → { body, x, y, newtons to the right }. A contact has two opposite and equal
- * forces.
+ * The forces parallel to the floor, name → { body, x, y, newtons to the right, isPull }. A contact has two opposite and
+ * equal forces.
  */
 export function horizontalForces(values, place, shift) {
   const displaced = displacements(values, shift), offset = Math.min(0.22 * place.R, MAX_OFFSET), forces = {};
@@ -123,13 +123,12 @@ export function horizontalForces(values, place, shift) {
     forces[`${contact} ${roller}`] = { body: roller, x, y: y - side * offset, newtons: friction };
     forces[`${contact} ${other}`] = { body: other, x, y: y + side * offset, newtons: -friction };
   }
-  // The two forces of a stretched spring point towards each other.
+  // The spring's forces are drawn on their bodies, so that they do not cover it: a push begins at the spring, and a
+  // pull ends there. That on the slab is above the forces of the rollers.
   const axis = place.slab.bottom + place.thick / 2, { slab, block } = FORMULAS.spring_force;
-  const [from, to] = [place.slab.right + displaced.slab, place.riser + displaced.block];
-  // An arrow to the left may reach over the slab, so it is above the forces of the rollers on the slab.
-  const spring = (body, x, newtons) => ({ body, x, y: axis + (newtons < 0 ? 1.45 : -0.4) * offset, newtons });
-  forces["spring slab"] = spring("slab", from, slab(values));
-  forces["spring block"] = spring("block", to, block(values));
+  const [from, to] = [place.slab.right + displaced.slab, place.riser + displaced.block], isPull = slab(values) > 0;
+  forces["spring slab"] = { body: "slab", x: from, y: axis + 1.85 * offset, newtons: slab(values), isPull };
+  forces["spring block"] = { body: "block", x: to, y: axis - 0.4 * offset, newtons: block(values), isPull };
   return forces;
 }
 
@@ -250,7 +249,7 @@ export function outlines(place, parameters) {
     ".slab text": { x: slab.x + slab.width / 2, y: slab.y + slab.height / 2 },
     ".handle path": { d: [-1.2, 0, 1.2].map((x) => `M${handle + x} ${slab.y + 1}v${slab.height - 2}`).join("") },
     ".handle text": { x: handle, y: -(slabBottom + thick + place.shelf) / 2 },
-    ".stiffness": { y: -slabBottom - thick / 2 + 4.5 },
+    ".stiffness": { y: -slabBottom - thick / 2 + 5.4 },
   }, ...rollers);
 }
 

@@ -136,9 +136,9 @@ export function makeLayers(root) {
   function drawForces(known, shift) {
     const forces = horizontalForces(known, place, shift);
     const head = Math.min(headOf(place.R), LONGEST_FORCE_HEAD);
-    for (const [name, { body, x, y, newtons }] of Object.entries(forces)) {
+    for (const [name, { body, x, y, newtons, isPull }] of Object.entries(forces)) {
       const length = newtons * unitLengths.force;
-      draw("forces", name, body, forceArrow(x, y, length, head));
+      draw("forces", name, body, forceArrow(isPull ? x - length : x, y, length, head));
       if (data.forces) drawLetter(name, x, y, length);
     }
     const contact = CONTACTS[data.slipping];

@@ -1,5 +1,6 @@
 """Page 2: the routes from the machine to Ω², its three modes, and questions with typed formulas."""
 
+from contextlib import nullcontext
 from dataclasses import dataclass, replace
 from typing import Any
 
@@ -276,12 +277,14 @@ def offer_files(setting: Setting) -> None:
 def compare_routes() -> None:
     """Draw the common result of all routes, and for each route a check mark on a button that selects it."""
     st.header(_("All routes give the same frequency"), anchor=False)
-    words, formulas = columns("results")
-    formulas_column, words_column = picture_and_words()
     lines = cache.result(None if display_mode.hides("numbers") else current_numbers())
+    if not display_mode.is_projector():
+        # The formula is at the top of the page.
+        lines = lines[1:]
+    words, formulas = columns("results") if lines else (nullcontext(), nullcontext())
+    formulas_column, words_column = picture_and_words()
     with formulas, formulas_column:
-        # Without a projector, the formula is at the top of the page.
-        for line in lines if display_mode.is_projector() else lines[1:]:
+        for line in lines:
             st.latex(line)
     with words, words_column:
         with st.container(horizontal=not display_mode.is_projector()):

@@ -400,7 +400,7 @@ def test_no_letter_is_covered_by_an_arrow_or_another_letter(picture, sample):
       }}).filter(([, [left, , right]]) => right > left);
       return {{
         letters: named(".moving text, .coordinates text, .scales text, .plain text"),
-        heads: named(".arrows .line, .forces .line"),
+        heads: named(".arrows .line, .forces .line, [data-mark=slab_value], [data-mark=x0_value]"),
         forces: named(".forces .line"),
       }};
     }}"""

@@ -31,7 +31,7 @@ class Turner {
     const [slider, output] = root.querySelectorAll("input, output");
     Object.assign(this, { component, slider, output });
     root.querySelector("[role=group]").ariaLabel = component.data.label;
-    slider.ariaLabel = component.data.slide;
+    slider.ariaLabel = output.dataset.slide = component.data.slide;
     this.buttons = [...root.querySelectorAll("button")];
     for (const button of this.buttons)
       button.addEventListener("click", () => this.go(this.now + Number(button.dataset.by)));
