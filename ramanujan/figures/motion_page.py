@@ -257,8 +257,8 @@ def _text_above(x: float, text: str, **more: Any) -> dict[str, Any]:
 def _name_stack(panel: Panel, end: float, colors: Mapping[str, str]) -> list[dict[str, Any]]:
     """Return an annotation for each stacked area of a panel, and for its last curve, their constant sum.
 
-    The name of an area is where it is highest, in front of the line after one period. An area that is too low for
-    letters has its name above the sum, with a line to the area.
+    The name of an area is where it is highest, in front of the line after one period or, for the area on top, behind
+    it. An area that is too low for letters has its name above the sum, with a line to the area.
     """
     *areas, total = panel.curves
     last = len(total.values) - 1
@@ -270,8 +270,10 @@ def _name_stack(panel: Panel, end: float, colors: Mapping[str, str]) -> list[dic
     floor = np.zeros_like(total.values)
     for label, parts in groupby(areas, key=lambda curve: curve.label):
         height = np.sum([curve.values for curve in parts], axis=0)
-        # The first fifth contains the crest beside the axis, which is too narrow for a long name.
-        crest = _crest(height, last // 5, last // 2)
+        # The first fifth contains the crest beside the axis, which is too narrow for a long name. The area on top is
+        # high where the others are low; a period later its name does not touch theirs.
+        is_on_top = label == areas[-1].label
+        crest = _crest(height, 5 * last // 8, 7 * last // 8) if is_on_top else _crest(height, last // 5, last // 2)
         if height[crest] > _LEAST_HEIGHT * panel.range[1]:
             # Near the top of a high area, a name does not touch the names in the areas beside it.
             above_floor = max(height[crest] / 2, height[crest] - panel.range[1] / 10)

@@ -63,16 +63,17 @@ def slide(name: str, title: str) -> AbstractContextManager[Any]:
     return slide_container
 
 
-def columns(name: str) -> Sequence[AbstractContextManager[Any]]:
+def columns(name: str, *, has_slides: bool = False) -> Sequence[AbstractContextManager[Any]]:
     """Return two columns: a left one for text, and a right one for the figure or formula that the text explains.
 
-    On a narrow screen the text is above (page.css). In the projector view there are no columns.
+    On a narrow screen the text is above (page.css). In the projector view there are only columns with slides.
 
     Parameters
     ----------
     name : name of the columns, unique on the page
+    has_slides : whether the right column contains slides, so that the left one is beside each of them
     """
-    if is_projector():
+    if is_projector() and not has_slides:
         return nullcontext(), nullcontext()
     row = container("columns", name)
     return row.container(), row.container()

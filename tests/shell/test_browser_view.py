@@ -82,7 +82,7 @@ FIRST, MOTION = "?m=3.7&m_prime=0.41&k=33.3&radius=20&slide=step_1", "motion?spi
 SLIDES = {
     FIRST: 15,
     "derivation?route=newton&step=4": 4,
-    MOTION: 9,
+    MOTION: 8,
     "1729?left=sphere&top=shell": 5,
     "speed?slide=costs": 8,
     "lesson?stop=zero-modes&chosen=zero-modes.one": 2,
@@ -233,10 +233,10 @@ def check_leaving(page, network: Network) -> None:
     """Check that another page begins with its own first slide, even while a turned slide is still to be sent."""
     turn_on_a_slow_network(page, network)
     page.get_by_role("link", name="Motion").first.click()
-    expect(page.locator(PLACE)).to_have_text(re.compile("^1 / 9"))
+    expect(page.locator(PLACE)).to_have_text(re.compile("^1 / 8"))
     page.wait_for_url(lambda url: "slide=" not in url)
     settle(page)
-    expect(page.locator(PLACE)).to_have_text(re.compile("^1 / 9"))
+    expect(page.locator(PLACE)).to_have_text(re.compile("^1 / 8"))
     network.seconds = traffic(page).late = 0
 
 

@@ -35,41 +35,34 @@ def show() -> None:
     """Draw the page: machine and settings beside the figures, and below them the record as a file."""
     machine, compression = sidebar.oscillator(), sidebar.compression()
     is_projector = display_mode.is_projector()
-    with slide("machine", _("The machine")):
-        machine_column, figure_column = columns("machine")
-        with machine_column:
-            st.title(_("Motion"), anchor=False)
-            st.markdown(_("What moves how far? Where does the energy go? Which contact slips first?"))
-            picture, words = display_mode.picture_and_words(2)
-            with picture:
-                scene, verdict = st.container(key="without_dials"), st.container()
-            with words:
-                with choose_initial_velocities():
-                    glide, spin = widgets.page_slider(GLIDE), widgets.page_slider(SPIN)
-                    if not is_projector:
-                        plots.explain_zero_modes()
-                contacts = st.container()
-        setting = (machine, compression, glide, spin)
-        motion = cache.record(*setting)
-        largest = largest_compression(machine, MU.in_si, spacing=motion.spacing)
-        friction = Friction(MU.in_si, largest, first_to_slip(machine, largest, motion.spacing))
-        with scene:
-            draw_machine(motion, friction)
-            if not is_projector:
-                cursor.mount("motion")
-        heading, sentence = describe_friction(friction, compression)
+    machine_column, figure_column = columns("machine", has_slides=True)
+    with machine_column:
+        st.title(_("Motion"), anchor=False)
         if not is_projector:
-            # The line of the fold is the verdict, in every view. It is open where the forces are drawn.
-            is_open = address.current(FIGURE) == "forces"
-            with contacts:
-                contacts = verdict = display_mode.fold(f"contacts_{is_open}", heading, expanded=is_open)
-        with contacts:
-            widgets.page_slider(MU)
-        with verdict:
-            st.markdown(f"{heading} {sentence}" if is_projector else sentence)
-    # In the projector view the time cursor is on every slide.
-    if is_projector:
+            st.markdown(_("What moves how far? Where does the energy go? Which contact slips first?"))
+        picture, words = display_mode.picture_and_words(2)
+        with picture:
+            scene = st.container(key="without_dials")
+        with words:
+            with choose_initial_velocities():
+                glide, spin = widgets.page_slider(GLIDE), widgets.page_slider(SPIN)
+                if not is_projector:
+                    plots.explain_zero_modes()
+            contacts = st.container()
+    setting = (machine, compression, glide, spin)
+    motion = cache.record(*setting)
+    largest = largest_compression(machine, MU.in_si, spacing=motion.spacing)
+    friction = Friction(MU.in_si, largest, first_to_slip(machine, largest, motion.spacing))
+    with scene:
+        draw_machine(motion, friction)
         cursor.mount("motion")
+    if not is_projector:
+        # The line of the fold is the verdict, in every view. It is open where the forces are drawn.
+        is_open = address.current(FIGURE) == "forces"
+        heading, sentence = describe_friction(friction, compression)
+        with contacts, display_mode.fold(f"contacts_{is_open}", heading, expanded=is_open):
+            widgets.page_slider(MU)
+            st.markdown(sentence)
     with figure_column:
         draw_figures(motion, friction, setting)
         if not is_projector:
@@ -159,6 +152,9 @@ def draw_figures(motion: Record, friction: Friction, setting: cache.ReleaseParam
             if view == "forces":
                 with slide("friction", _("Friction needed")):
                     plots.draw_required_friction(motion, friction)
+                    if is_projector:
+                        widgets.page_slider(MU)
+                        st.markdown(describe_friction(friction, motion.compression)[0])
 
 
 def choose_frame() -> str:
@@ -167,7 +163,7 @@ def choose_frame() -> str:
 
 
 def draw_phase_plane(motion: Record, setting: cache.ReleaseParameters) -> None:
-    """Draw the phase plane below its line, in the projector view on a slide with its frame and the words beside it."""
+    """Draw the phase plane below its line, in the projector view on a slide with its frame."""
     if not display_mode.is_projector():
         figure = cache.phase_plane(address.current(PLANE), theme.current(), *setting)
         draw = partial(plots.draw_phase_plane, motion, address.current(PLANE), figure)
@@ -175,13 +171,9 @@ def draw_phase_plane(motion: Record, setting: cache.ReleaseParameters) -> None:
         folded("phase_plane", title, draw, plots.explain_phase_plane)
         return
     with slide("phase_plane", _("Phase plane")):
-        picture, words = display_mode.picture_and_words()
-        with words:
-            frame = choose_frame()
-        with picture:
-            plots.draw_phase_plane(motion, frame, cache.phase_plane(frame, theme.current(), *setting))
-        with words:
-            plots.explain_phase_plane()
+        frame = choose_frame()
+        plots.draw_phase_plane(motion, frame, cache.phase_plane(frame, theme.current(), *setting))
+        plots.explain_phase_plane()
 
 
 if __name__ == "__main__":

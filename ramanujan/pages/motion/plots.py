@@ -13,12 +13,16 @@ from ramanujan.pages.motion import cache
 from ramanujan.physics.contact import required_friction
 from ramanujan.physics.record import Record
 from ramanujan.shell import drawings, theme
+from ramanujan.shell.display_mode import is_projector
 from ramanujan.text.names import PARTS
 from ramanujan.text.numerals import filled, fixed, quantity
 from ramanujan.text.translation import _
 
 _CONFIG = {"displaylogo": False}
 """Plotly's options for a figure with all its buttons."""
+
+FIRST_DISPLACEMENTS, FIRST_FORCES = "displacements", "forces"
+"""Names of the figures whose words the next slide does not repeat."""
 
 
 @dataclass(frozen=True)
@@ -65,6 +69,12 @@ def draw_displacements(motion: Record, figure: EncodedFigure, name: str) -> None
         _("Greatest distance from the start, relative to the ground: {distances}."),
     ]
     distances = list_values(PARTS, farthest, "cm")
+    if name != FIRST_DISPLACEMENTS:
+        draw_chart(figure, name, " ".join(alternative).format(distances=distances))
+        st.caption(
+            _("Relative to the block, the slab moves twice as far as the axes of the rollers below it: nothing slips.")
+        )
+        return
     st.caption(_("Zero is each body’s place before compression. Up is to the right."))
     draw_chart(figure, name, " ".join(alternative).format(distances=distances))
     if block or top:
@@ -146,13 +156,21 @@ def draw_momentum(motion: Record, figure: EncodedFigure, name: str) -> None:
         "are conserved: all bodies together {all:3 kg m/s}, p_Φ/R {top:3 kg m/s}."
     )
     draw_chart(figure, name, filled(alternative, all=-p_X, top=p_Phi / motion.oscillator.radius))
-    sentence = _(
-        "The bodies exchange momentum, but two momenta are conserved, because the Lagrangian contains neither $X$ nor "
-        "$\\Phi$. $-{p_X}$ is the momentum of the whole machine; $X$ is positive to the left, hence the minus sign. "
-        "${p_Phi}$ is the angular momentum of the top cylinder about its line of contact with the block. Change the "
-        "initial velocities and watch both lines move."
-    )
-    st.caption(sentence.format(p_X=p_X_symbol, p_Phi=p_Phi_symbol))
+    sentences = [
+        _(
+            "The bodies exchange momentum, but two momenta are conserved, because the Lagrangian contains neither $X$ "
+            "nor $\\Phi$."
+        )
+    ]
+    if not is_projector():
+        sentences.append(
+            _(
+                "$-{p_X}$ is the momentum of the whole machine; $X$ is positive to the left, hence the minus sign. "
+                "${p_Phi}$ is the angular momentum of the top cylinder about its line of contact with the block. "
+                "Change the initial velocities and watch both lines move."
+            ).format(p_X=p_X_symbol, p_Phi=p_Phi_symbol)
+        )
+    st.caption(" ".join(sentences))
 
 
 def draw_contact_forces(motion: Record, figure: EncodedFigure, name: str) -> None:
@@ -163,6 +181,9 @@ def draw_contact_forces(motion: Record, figure: EncodedFigure, name: str) -> Non
         "rollers. Greatest friction: {forces}."
     )
     draw_chart(figure, name, alternative.format(forces=list_values(cache.CONTACTS, strongest, "N")))
+    if name != FIRST_FORCES:
+        st.caption(_("The slab weighs on the two lower rollers. As it moves, its weight shifts from one to the other."))
+        return
     sentence = _(
         "Forces on the rollers, positive to the right. The axes of the two lower rollers are {spacing} apart, as "
         "drawn. No initial velocity changes a contact force: in a zero mode nothing accelerates."
@@ -195,9 +216,10 @@ def draw_required_friction(motion: Record, friction: Friction) -> None:
     )
     alternative = alternative.format(mu=fixed(mu, 2), needed=list_values(cache.CONTACTS, needed, ""))
     drawings.plot(bars, "friction_needed", alternative, config=_CONFIG)
-    sentence = _("Largest compression without slip: **{length:3↓ cm}**")
-    st.markdown(filled(sentence, length=100 * friction.largest))
-    explain_friction()
+    if not is_projector():
+        sentence = _("Largest compression without slip: **{length:3↓ cm}**")
+        st.markdown(filled(sentence, length=100 * friction.largest))
+        explain_friction()
 
 
 def draw_chart(figure: EncodedFigure, name: str, alt: str) -> None:
