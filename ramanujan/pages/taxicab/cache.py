@@ -46,7 +46,7 @@ def unit_equations(ink: str, paper: str) -> str:
         f"{latex(in_step)} = 1",
         _operation(rf"\times\left({latex(sp.fraction(in_step.rhs)[1])}\right)", unit.operations[-1]),
         latex(quadratic),
-        _operation(rf"{root.operations[1]}=4\cdot{a}", margin_text(_("complete the square"))),
+        _operation(rf"{root.operations[1]}\;(4\cdot{a})", margin_text(_("complete the square"))),
         written_out,
         f"= {b**2} + {-4 * a * c} = {value}",
     )
