@@ -1,6 +1,5 @@
 """Axes, marks and ranges of the logarithmic figures of errors and costs on the speed page."""
 
-import math
 from collections.abc import Mapping, Sequence
 from typing import Any
 
@@ -25,10 +24,9 @@ def axis(title: str, ends: Sequence[float], **more: Any) -> dict[str, Any]:
     return {"title": {"text": title, "standoff": 8}, "range": list(ends), **look, **more}
 
 
-def log_axis(title: str, limits: tuple[float, float]) -> dict[str, Any]:
-    """Return a logarithmic axis with at most seven ticks."""
-    low, high = np.log10(limits).tolist()
-    return axis(title, (low, high), type="log", dtick=max(1, math.ceil((high - low) / 6)))
+def log_axis(title: str, limits: tuple[float, float], decades: int = 1) -> dict[str, Any]:
+    """Return a logarithmic axis with a line at every power of ten, or after several decades."""
+    return axis(title, np.log10(limits).tolist(), type="log", dtick=decades)
 
 
 def level_line(ends: Sequence[float], level: float, name: str, colors: Colors) -> dict[str, Any]:

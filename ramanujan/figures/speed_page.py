@@ -19,6 +19,8 @@ _STRIP_HEIGHT, _HALF_STRIP = 44, 0.24
 _MARGIN = {"l": 60, "r": 28, "t": 12, "b": 48}
 _STRONG, _GRAY = 4.0, 1.5
 """The widths of the line of the chosen method, and of the other methods [px]."""
+_SYMBOL = 7
+"""The size of the symbol of a method [px]."""
 _LONGEST_NAME = 18
 """The largest number of letters of a name in one line at the right edge."""
 _LINE_HEIGHT = 0.08
@@ -67,6 +69,7 @@ def draw_error_growth(
     """
     traces = []
     line_ends = {}
+    symbols = dict(zip(curves, logarithmic.SYMBOLS, strict=False))
     right = max(float(periods[-1]) for periods, _errors in curves.values())
     # Draw the chosen method last, above the others.
     for name in sorted(curves, key=lambda name: name == chosen):
@@ -75,6 +78,9 @@ def draw_error_growth(
         curve = line(periods, select_drawable(errors, limits[1]), **look)
         properties = {
             "name": name,
+            # Some lines end at the same point, so each has a symbol.
+            "mode": "lines+markers",
+            "marker": {"symbol": symbols[name], "size": _SYMBOL, "maxdisplayed": 5},
             "hovertemplate": _AFTER.format(periods="%{x}", error="%{customdata}") + _NAMED,
             "xhoverformat": ".4~g",
             "customdata": _format_numbers(errors),
@@ -83,6 +89,7 @@ def draw_error_growth(
         last = np.nan_to_num(errors[-1], nan=np.inf)
         arrow = " ↑" if last > limits[1] else " ↓" if last < limits[0] else ""
         line_ends[name + arrow] = right, float(np.clip(last, *limits))
+        symbols[name + arrow] = symbols[name]
         if name == chosen:
             chosen_label = name + arrow
     band: dict[str, Any] = {}
@@ -90,12 +97,12 @@ def draw_error_growth(
         traces.append(level_line((1.0, right), allowed, _("error allowed"), colors))
         # Few lines reach the lower corner.
         band = _shade_allowed(allowed, limits, (1.0, limits[0]), colors)
-    leaders, names = _name_lines(line_ends, chosen_label, right, limits, colors)
-    x_axis = axis(_("periods"), (0.0, float(np.log10(right)) + 0.1), type="log", tickvals=[1, 3, 10, 30])
+    leaders, names = _name_lines(line_ends, chosen_label, right, limits, symbols, colors)
+    x_axis = axis(_("periods"), (0.0, float(np.log10(right)) + 0.11), type="log", tickvals=[1, 3, 10, 30])
     return build_figure(
         [*leaders, *traces],
         colors,
-        336,
+        304,
         margin=_MARGIN,
         xaxis=x_axis,
         yaxis=log_axis(title, limits),
@@ -179,12 +186,14 @@ def draw_work_precision(
     for costs_of_method, _error, _steps in curves.values():
         costs += [costs_of_method[0], costs_of_method[-1]]
     ends = min(costs), max(costs)
-    traces = _method_curves(curves, chosen, limits, hover, colors)
     line_ends = {
         name if dtype == DOUBLE else _SINGLE: (cost[-1], error[-1])
         for (name, dtype), (cost, error, _steps) in curves.items()
     }
-    leaders, names = _name_lines(line_ends, chosen, ends[1], limits, colors)
+    methods = dict.fromkeys(name for name, _dtype in curves)
+    symbols = dict(zip(methods, logarithmic.SYMBOLS, strict=False))
+    traces = _method_curves(curves, chosen, limits, symbols, hover, colors)
+    leaders, names = _name_lines(line_ends, chosen, ends[1], limits, symbols, colors)
     traces += leaders
     traces.append(level_line(ends, tolerance, _("error allowed"), colors))
     for cost, error in tried:
@@ -204,7 +213,7 @@ def draw_work_precision(
     level = max(float(np.sqrt(tolerance * limits[0])), 10 * limits[0])
     band = _shade_allowed(tolerance, limits, (ends[0], level), colors)
     notes += band["annotations"]
-    x_range = float(np.log10(ends[0])) - 0.1, float(np.log10(ends[1])) + 0.1
+    x_range = float(np.log10(ends[0])) - 0.1, float(np.log10(ends[1])) + 0.11
     return build_figure(
         traces,
         colors,
@@ -240,11 +249,11 @@ def _method_curves(
     curves: Mapping[tuple[str, str], CurveArrays],
     chosen: str | None,
     limits: tuple[float, float],
+    symbols: Mapping[str, str],
     hover: str,
     colors: Colors,
 ) -> list[dict[str, Any]]:
     """Return the traces of the methods, the chosen one last."""
-    methods = list(dict.fromkeys(name for name, _dtype in curves))
     traces = []
     for (name, dtype), (cost, error, steps) in sorted(curves.items(), key=lambda entry: entry[0][0] == chosen):
         is_double = dtype == DOUBLE
@@ -253,7 +262,7 @@ def _method_curves(
         curve["line"]["dash"] = "solid" if is_double else "dot"
         properties: dict[str, Any] = {
             "mode": "lines+markers" if is_double else "lines",
-            "marker": {"symbol": logarithmic.SYMBOLS[methods.index(name)], "size": 7},
+            "marker": {"symbol": symbols[name], "size": _SYMBOL},
             "name": name,
             "text": [_describe_steps(dtype, int(n)) for n in steps],
             "hovertemplate": f"%{{text}}<br>{hover}",
@@ -268,9 +277,10 @@ def _name_lines(
     chosen: str | None,
     right: float,
     limits: tuple[float, float],
+    symbols: Mapping[str, str],
     colors: Colors,
 ) -> tuple[list[dict[str, Any]], dict[str, Any]]:
-    """Return a leader from the end of each line to its name, and the axis at the right edge with the names.
+    """Return a leader from the end of each line to its symbol and name, and the axis at the right edge with the names.
 
     Names are tick labels, because Plotly widens the margin for these, but not for annotations.
     """
@@ -286,7 +296,11 @@ def _name_lines(
         cost, error = line_ends[name]
         color = colors["primary"] if name in (chosen, _SINGLE) else colors["block"]
         leader = line([float(cost), edge], [float(error), level], color=color, width=1)
-        leaders.append(leader | {"hoverinfo": "skip", "yaxis": "y2"})
+        # The symbol of the line is only at the name.
+        look = {"opacity": 1, "line": {"width": 0}}
+        marker = {"symbol": symbols.get(name, "circle"), "size": [0, _SYMBOL * (name in symbols)], **look}
+        properties = {"mode": "lines+markers", "marker": marker, "cliponaxis": False}
+        leaders.append(leader | properties | {"hoverinfo": "skip", "yaxis": "y2"})
     texts = []
     for name, label in zip(names, labels, strict=True):
         tag = "b" if name == chosen else "span"
@@ -298,6 +312,7 @@ def _name_lines(
         "showgrid": False,
         "showline": False,
         "ticks": "",
+        "ticklabelstandoff": 8,
         "tickvals": levels,
         "ticktext": texts,
     }
@@ -384,8 +399,8 @@ def draw_phase_errors(periods: Sequence[float], curves: Mapping[str, Sequence[fl
     notes.append(note(lost, colors["ink"], np.log10(periods[0]), np.log10(np.pi)) | above | {"xanchor": "left"})
     x_range = float(np.log10(periods[0])), float(np.log10(periods[-1]))
     x_axis = axis(_("periods"), x_range, type="log", dtick=3)
-    y_axis = log_axis(_("phase error [rad]"), (1e-17, 1e3))
-    return build_figure(traces, colors, 320, margin=_MARGIN, annotations=notes, xaxis=x_axis, yaxis=y_axis)
+    y_axis = log_axis(_("phase error [rad]"), (1e-17, 1e3), decades=3)
+    return build_figure(traces, colors, 288, margin=_MARGIN, annotations=notes, xaxis=x_axis, yaxis=y_axis)
 
 
 def _points(x: Iterable[float], y: Iterable[float]) -> list[list[str]]:

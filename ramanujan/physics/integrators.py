@@ -152,6 +152,7 @@ class Method:
     Parameters
     ----------
     title : usual name
+    idea : its difference from the other methods, in words that follow the title
     order : p, where the error at a fixed time is proportional to h^p for small h
     evaluations : evaluations of a(q) per step of a `trajectory`; the first step may require one more
     stability_limit : upper limit of hΩ for bounded solutions of x″ = −Ω²x; 0 if unstable for all h, ∞ if always stable
@@ -159,6 +160,7 @@ class Method:
     """
 
     title: str
+    idea: str
     order: int
     evaluations: int
     stability_limit: float
@@ -249,14 +251,22 @@ def _compose_verlet(
     return q, v
 
 
+def _compose_idea(weights: Sequence[float]) -> str:
+    """Return the steps of a composed method in words. A negative weight is a step back in time."""
+    backwards = sum(weight < 0 for weight in weights)
+    return _("joins {n} Verlet steps, {backwards} of them backwards").format(n=len(weights), backwards=backwards)
+
+
 METHODS: dict[str, Method] = {
-    "explicit_euler": Method(_("explicit Euler"), 1, 1, 0.0, explicit_euler),
-    "symplectic_euler": Method(_("symplectic Euler"), 1, 1, 2.0, symplectic_euler),
-    "velocity_verlet": Method(_("velocity Verlet"), 2, 1, 2.0, velocity_verlet),
-    "rk4": Method(_("Runge–Kutta 4"), 4, 4, 2 * math.sqrt(2), rk4),
-    "yoshida4": Method(_("Yoshida 4"), 4, 3, _YOSHIDA_4_LIMIT, yoshida4),
-    "yoshida6": Method(_("Yoshida 6"), 6, 7, _YOSHIDA_6_LIMIT, yoshida6),
-    "implicit_midpoint": Method(_("implicit midpoint"), 2, 2, math.inf, implicit_midpoint),
+    "explicit_euler": Method(_("explicit Euler"), _("uses the old velocity"), 1, 1, 0.0, explicit_euler),
+    "symplectic_euler": Method(_("symplectic Euler"), _("uses the new velocity"), 1, 1, 2.0, symplectic_euler),
+    "velocity_verlet": Method(_("velocity Verlet"), _("uses the velocity at mid-step"), 2, 1, 2.0, velocity_verlet),
+    "rk4": Method(_("Runge–Kutta 4"), _("uses a mean of four velocities"), 4, 4, 2 * math.sqrt(2), rk4),
+    "yoshida4": Method(_("Yoshida 4"), _compose_idea(YOSHIDA_4_WEIGHTS), 4, 3, _YOSHIDA_4_LIMIT, yoshida4),
+    "yoshida6": Method(_("Yoshida 6"), _compose_idea(YOSHIDA_6_WEIGHTS), 6, 7, _YOSHIDA_6_LIMIT, yoshida6),
+    "implicit_midpoint": Method(
+        _("implicit midpoint"), _("uses the force at mid-step"), 2, 2, math.inf, implicit_midpoint
+    ),
 }
 """Name → integrator, the simplest first.
 

@@ -4,7 +4,8 @@
 import { fill, fixed, withUnit } from "../sentences.js";
 import { makeDial } from "./dial.js";
 import {
-  BODIES, CM, STRETCH, centreOfMass, coil, collision, density, layout, outlines, positions, rollerWords, scenery,
+  BODIES, CM, STRETCH, centreOfMass, coil, collision, density, displacements, layout, outlines, positions, rollerWords,
+  scenery,
 } from "./drawing.js";
 import { FORMULAS } from "./formulas.js";
 import { makeLayers } from "./layers.js";
@@ -110,11 +111,22 @@ export function makePicture(root, { compact, dials, narrow, limits, label }, sig
     return ghost;
   }
 
-  /** Draw the computed machine, and write its evaluations and its error below the picture. */
+  /**
+   * Draw the computed machine, and mark the gap between the left ends of both slabs. Write the evaluations and the
+   * error below the picture.
+   */
   function drawComputed(known, playback, shift) {
     const { log } = playback.computed, period = Math.min(Math.floor(playback.phase / TURN + 1e-9), log.length - 1);
     const [evaluations, turns] = log[period];
-    put(finder(find(".computed")), positions({ ...known, ...playback.computedState() }, place, shift));
+    const computed = { ...known, ...playback.computedState() };
+    put(finder(find(".computed")), positions(computed, place, shift));
+    const [from, to] = [known, computed].map((values) => place.slab.left + displacements(values, shift).slab);
+    const height = -place.slab.bottom - place.thick - 2.5;
+    put(find, {
+      ".gap path": { d: `M${from} ${height - 1.5}v3m0 -1.5H${to}m0 -1.5v3` },
+      ".gap text": { x: (from + to) / 2, y: height - 5 },
+    });
+    find(".gap text").textContent = fill(WORDS.gap, { gap: withUnit(fixed(Math.abs(to - from), 1), "cm") });
     find(".label").textContent = fill(WORDS.counted, { period, periods: log.length - 1, evaluations, turns });
   }
 

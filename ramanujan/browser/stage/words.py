@@ -56,6 +56,8 @@ SENTENCES = {
         "Dashed: the computed machine. Period {period} of {periods}: {evaluations} evaluations of the force, {turns} "
         "of a turn off."
     ),
+    # TRANSLATORS: the distance between the exact and the computed machine, such as 3.4 cm.
+    "gap": _("{gap} apart"),
     "shared": _(
         "Mass m: {block}, {slab}, {top}. Mass m′: {hoop}, {cylinder}. All rollers have the radius R. The arrows at X, "
         "φ and Φ point in the positive direction."

@@ -32,7 +32,10 @@ _ANIMATION = 12.0
 def draw_controls() -> None:
     """Draw the method, its steps, and the button that starts the race."""
     with st.container(horizontal=True, vertical_alignment="bottom", gap="xsmall", key="race_controls"):
-        method = widgets.selectbox(METHOD, _("Method"), width="stretch")
+        # TRANSLATORS: {idea} continues the name of a method: velocity Verlet uses the velocity at mid-step.
+        template = _("{method}: {idea}")
+        labels = {name: template.format(method=method.title, idea=method.idea) for name, method in METHODS.items()}
+        method = widgets.selectbox(METHOD, _("Method"), labels, width="stretch")
         steps = widgets.count(STEPS, _("Steps per period"), width="stretch")
         attempt = method, steps
         st.button(_("Run"), key="run", type="primary", on_click=_add_attempt, args=attempt)

@@ -26,23 +26,22 @@ _COMPLETE = "speed_complete"
 
 def draw_costs() -> Callable[[], None]:
     """Draw the fast part of the section; return a function that measures and draws the diagram."""
-    title = _("What accuracy costs")
+    scale = _("Along both axes, each line is 10 times the one before.")
     if is_projector():
-        st.header(title, anchor=False)
+        st.header(_("What accuracy costs"), anchor=False)
         figure, controls = st.columns([3, 2], gap="medium")
+        controls.markdown(scale)
     else:
         # On a phone the diagram is above its controls, on a wide page beside them.
         row = container("columns", "costs")
         words, figure, controls = row.container(), row.container(key="place_costs"), row.container()
         with words:
-            st.header(title, anchor=False)
-            st.markdown(
-                _(
-                    "Each mark is a run of a method, with smaller steps further right: it costs more, and its error "
-                    "falls. Choose the largest error: the ring marks the cheapest run. The dotted line has numbers "
-                    "with 7 digits (float32), the solid lines with 16 (float64)."
-                )
+            sentences = _(
+                "Each mark is a run of a method, with smaller steps further right. Choose the largest error: the ring "
+                "marks the cheapest run. The dotted line has numbers with 7 digits (float32), the solid lines with 16 "
+                "(float64)."
             )
+            st.markdown(f"{sentences} {scale}")
     with controls:
         with st.container(horizontal=True, vertical_alignment="bottom"):
             tolerance = float(widgets.select_slider(TOLERANCE, _("Largest error allowed [turns]"), width=320))

@@ -67,7 +67,8 @@ def draw_phase_errors(machine: Oscillator) -> None:
     st.header(_("Very many periods"), anchor=False)
     errors_by_periods = cache.phases(machine)
     sentence = verdicts.describe_phases(errors_by_periods)
-    st.markdown(sentence)
+    scale = _("Along both axes, each line is 1000 times the one before.")
+    st.markdown(f"{sentence} {scale}")
     alternative = _("Phase error over the number of periods. {findings}")
     periods = [errors.periods for errors in errors_by_periods]
     curves = {

@@ -18,7 +18,11 @@ from ramanujan.shell.display_mode import columns, folded, slide
 from ramanujan.text.numerals import filled
 from ramanujan.text.translation import _
 
-TOPICS = {"race": _("Race"), "price": _("Price"), "limits": _("Limits")}
+TOPICS = {
+    "race": _("**Race** *How large is the error?*"),
+    "price": _("**Price** *What does accuracy cost?*"),
+    "limits": _("**Limits** *Where do numbers end?*"),
+}
 TOPIC = address.Choice("topic", TOPICS, "race")
 ERRORS = {"phase": _("Phase"), "energy": _("Energy")}
 ERROR = address.Choice("error", ERRORS, "phase")
@@ -30,8 +34,15 @@ _AXES = {
     "energy": (_("energy error<br>|<i>E</i>/<i>E</i>₀ − 1|"), (1e-8, 10.0)),
 }
 _EXPLANATIONS = {
-    "phase": _("The **phase error** says how many turns the computed machine is ahead or behind."),
+    "phase": _(
+        "The **phase error** says how many turns the computed machine is ahead or behind. One turn lasts one period."
+    ),
     "energy": _("The **energy error** says how far the energy *E* is from the true energy *E*₀."),
+}
+_LEADS = {
+    "race": _("A computer calculates in small steps: each costs time and adds an error."),
+    "price": _("Smaller steps cost more and err less: which method is the cheapest?"),
+    "limits": _("Numbers have few digits and a largest value: even a right formula can fail."),
 }
 
 
@@ -47,6 +58,9 @@ def show() -> None:
     for topic, draw in (("race", draw_race), ("limits", draw_limits), ("price", draw_price)):
         if topic in places:
             with places[topic]:
+                if not display_mode.is_projector():
+                    with st.container(key=f"topic_{topic}"):
+                        st.markdown(_LEADS[topic])
                 draw()
 
 
@@ -71,10 +85,7 @@ def draw_race() -> None:
     row = container("columns", "race")
     words, game, figure, about = row.container(), row.container(key="race"), row.container(), row.container()
     with words:
-        sentence = _(
-            "A simulation moves in small steps. Each step evaluates the force, which costs time, and adds an error."
-        )
-        st.markdown(f"{sentence} {challenge.TASK.text}")
+        st.markdown(challenge.TASK.text)
     with game:
         challenge.draw_controls()
         challenge.draw_machine()
@@ -83,8 +94,10 @@ def draw_race() -> None:
         draw_error_growth()
     method, steps = address.current(METHOD), address.current(STEPS)
     with about:
-        st.markdown(_EXPLANATIONS[address.current(ERROR)])
         st.markdown(verdicts.describe_method(METHODS[method]))
+    with display_mode.fold("methods", _("What each of the {count} methods does").format(count=len(METHODS))):
+        widgets.table(verdicts.method_table(), "methods")
+        st.markdown(verdicts.explain_equal_phases())
     with display_mode.fold("numbers", _("This run in numbers")):
         st.markdown(verdicts.describe_errors(cache.run(method, steps)))
         st.markdown(verdicts.describe_stability(METHODS[method], steps))
@@ -128,6 +141,8 @@ def draw_error_growth() -> None:
     with head:
         st.header(_("How the errors grow"), anchor=False, width="content")
         error = widgets.segmented_control(ERROR, _("Error"), label_visibility="collapsed")
+    scale = _("Each line up is 10 times the one below.")
+    st.markdown(f"{_EXPLANATIONS[error]} {scale}")
     place = st.container(key="place_growth")
     runs = {name: cache.run(name, steps) for name in METHODS}
     curves = {}

@@ -24,16 +24,47 @@ Table = list[tuple[str, ...]]
 
 
 def describe_method(method: Method) -> str:
-    """Return what the order of a method means, and its cost."""
+    """Return the idea of a method, its cost, and what its order means."""
     sentence = ngettext(
-        "**{method}** evaluates the force once per step. It has order {order}: if steps are small, half the step size "
-        "leaves about 1/{factor} of the error.",
-        "**{method}** evaluates the force {n} times per step. It has order {order}: if steps are small, half the step "
-        "size leaves about 1/{factor} of the error.",
+        "**{method}** {idea}. It evaluates the force once per step. It has order {order}: if steps are small, half the "
+        "step size leaves about 1/{factor} of the error.",
+        "**{method}** {idea}. It evaluates the force {n} times per step. It has order {order}: if steps are small, "
+        "half the step size leaves about 1/{factor} of the error.",
         method.evaluations,
     )
     title = method.title[0].upper() + method.title[1:]
-    return filled(sentence, method=title, order=method.order, factor=2**method.order, n=method.evaluations)
+    more = {"order": method.order, "factor": 2**method.order, "n": method.evaluations}
+    return filled(sentence, method=title, idea=method.idea, **more)
+
+
+def method_table() -> Table:
+    """List the methods with their ideas, costs, orders and least numbers of steps."""
+    head = (
+        _("Method"),
+        _("In a step, it"),
+        _("Evaluations of the force"),
+        _("Half the step size leaves"),
+        _("Stable with steps per period"),
+    )
+    rows: Table = [head]
+    for method in METHODS.values():
+        limit = method.stability_limit
+        stable = _("at least {least}").format(least=math.ceil(math.tau / limit)) if limit else _("never")
+        if math.isinf(limit):
+            stable = _("always")
+        factor = _("1/{factor} of the error (order {order})").format(factor=2**method.order, order=method.order)
+        rows.append((method.title, method.idea, str(method.evaluations), factor, stable))
+    return rows
+
+
+def explain_equal_phases() -> str:
+    """Explain why the phase errors of two methods end at the same point."""
+    sentence = _(
+        "The phase errors of {euler} and {verlet} meet after many periods: on average, both turn by the same angle in "
+        "each step."
+    )
+    euler, verlet = (METHODS[name].title for name in ("symplectic_euler", "velocity_verlet"))
+    return sentence.format(euler=euler, verlet=verlet)
 
 
 def describe_stability(method: Method, steps: int) -> str:

@@ -27,6 +27,8 @@ def test_a_run_is_drawn_no_control_is_cut_and_the_diagram_is_measured(visit):
         page.locator(f".st-key-stage_race {each} .slab").evaluate(x) for each in (".moving", ".computed")
     )
     q = error_history("velocity_verlet", 8, 30).q[-1]
+    gap = page.locator(".st-key-stage_race .gap text").text_content()
+    assert gap == f"{abs(computed - exact):.1f}\u202fcm apart"
     assert (exact, computed) == (pytest.approx(8), pytest.approx(8 + (q - 1) * 14 / 13 * 4, abs=1e-3))
     # Without reduced motion, the run is shown before its verdict.
     page.emulate_media(reduced_motion="no-preference")

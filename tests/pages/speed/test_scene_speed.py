@@ -61,6 +61,52 @@ def test_the_page_opens_without_measuring_the_diagram_and_ignores_the_parameters
     assert dict(app.query_params) == {"method": "rk4"}
 
 
+def test_every_topic_begins_with_its_sentence_and_each_method_is_explained_where_it_is_chosen(app):
+    leads = []
+    page(app)
+    for topic in ("race", "price", "limits"):
+        app.session_state["topic"] = topic
+        app.run()
+        leads.append(app.markdown[0].value)
+        assert len(app.tabs) == 3
+        assert all("?" in tab.label for tab in app.tabs)
+    assert len(set(leads)) == 3
+    assert all(lead.endswith((".", "?")) for lead in leads)
+    app.session_state["topic"] = "race"
+    app.run()
+    app.selectbox(key="method").set_value("rk4").run()
+    [labels] = [menu.options for menu in app.selectbox if menu.key == "method"]
+    assert labels == [f"{method.title}: {method.idea}" for method in METHODS.values()]
+    rows = [row.split(" | ") for row in words(app).splitlines() if row.startswith("| ")]
+    for method in METHODS.values():
+        [(idea, evaluations, factor)] = [row[1:4] for row in rows if row[0] == f"| {method.title}"]
+        assert idea == method.idea
+        assert int(evaluations) == method.evaluations
+        assert factor == f"1/{2**method.order} of the error (order {method.order})"
+    assert f"**{METHODS['rk4'].title}** {METHODS['rk4'].idea}." in words(app)
+
+
+@pytest.mark.parametrize("method", METHODS)
+def test_the_least_number_of_steps_in_the_table_is_the_first_stable_one(method):
+    [stable] = [row[-1] for row in verdicts.method_table() if row[0] == METHODS[method].title]
+    is_stable = {n: error_history(method, n, 400).energy_error.max() < 1e3 for n in range(3, 9)}
+    first = next((n for n, bounded in is_stable.items() if bounded), None)
+    # Three is the least number of steps on the page.
+    expected = {"always": 3, "never": None}.get(stable) if stable in ("always", "never") else int(stable.split()[-1])
+    assert first == expected
+
+
+def test_the_phases_of_symplectic_euler_and_verlet_meet():
+    """The difference of their errors stays within a turn, while the errors grow without limit."""
+    for steps in (8, 12, 50):
+        names = "symplectic_euler", "velocity_verlet"
+        euler, verlet = (error_history(name, steps, 600).phase_error for name in names)
+        assert np.abs(euler - verlet).max() < math.tau / 6
+        assert abs(verlet[-1]) > 3 * np.abs(euler - verlet).max()
+    sentence = verdicts.explain_equal_phases()
+    assert all(METHODS[name].title in sentence for name in names)
+
+
 def test_every_slide_has_a_heading_of_its_own(app, monkeypatch):
     monkeypatch.setattr(costs, "measure", lambda: None)
     monkeypatch.setattr(costs, "draw_diagram", lambda by, tolerance: "")
@@ -265,6 +311,7 @@ def test_a_number_under_the_pointer_is_written_as_in_a_sentence():
 
 def test_the_growth_of_errors_has_fixed_axes_and_names_all_methods_the_chosen_one_strongly(app):
     page(app)
+    assert "Each line up is 10 times the one below." in words(app)
     axes = []
     for method, steps in (("rk4", 12), ("explicit_euler", 3), ("yoshida6", 192)):
         app.selectbox(key="method").set_value(method)
@@ -272,6 +319,12 @@ def test_the_growth_of_errors_has_fixed_axes_and_names_all_methods_the_chosen_on
         [chart] = app.get("plotly_chart")
         drawn = json.loads(chart.proto.spec)
         axes.append([drawn["layout"][axis]["range"] for axis in ("xaxis", "yaxis")])
+        assert drawn["layout"]["yaxis"]["dtick"] == 1
+        # Each line has a symbol of its own, also at its name.
+        marked = [trace for trace in drawn["data"] if "marker" in trace]
+        in_lines = {trace["marker"]["symbol"] for trace in marked if "name" in trace}
+        assert len(in_lines) == len(METHODS)
+        assert sorted(trace["marker"]["symbol"] for trace in marked if "name" not in trace) == sorted(in_lines)
         lines = {trace["name"]: trace["line"] for trace in drawn["data"] if "name" in trace}
         title = METHODS[method].title
         assert {each.title for each in METHODS.values()} < set(lines)
