@@ -146,11 +146,15 @@ def draw_figures(motion: Record, friction: Friction, setting: cache.ReleaseParam
                 name = view if number == 1 else f"{view}_{number}"
                 title = _("{figure}: {panel}").format(figure=FIGURES[view], panel=panels)
                 with slide(name, title if len(figures) > 1 else FIGURES[view]):
+                    if is_projector:
+                        st.header(FIGURES[view], anchor=False)
                     draw_functions[view](motion, figure, name)
             if has_frames:
                 draw_phase_plane(motion, setting)
             if view == "forces":
                 with slide("friction", _("Friction needed")):
+                    if is_projector:
+                        st.header(_("Friction needed"), anchor=False)
                     plots.draw_required_friction(motion, friction)
                     if is_projector:
                         widgets.page_slider(MU)
@@ -171,6 +175,7 @@ def draw_phase_plane(motion: Record, setting: cache.ReleaseParameters) -> None:
         folded("phase_plane", title, draw, plots.explain_phase_plane)
         return
     with slide("phase_plane", _("Phase plane")):
+        st.header(_("Phase plane"), anchor=False)
         frame = choose_frame()
         plots.draw_phase_plane(motion, frame, cache.phase_plane(frame, theme.current(), *setting))
         plots.explain_phase_plane()
