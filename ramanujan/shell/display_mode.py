@@ -46,7 +46,7 @@ def is_projector() -> bool:
     return address.current(VIEW) == "projector"
 
 
-def slide(name: str, title: str) -> AbstractContextManager[Any]:
+def slide(name: str, title: str, heading: str = "") -> AbstractContextManager[Any]:
     """Return a context manager for a slide of the projector view. In the normal view it has no effect.
 
     Elements outside of all slides are shown on each slide.
@@ -55,11 +55,14 @@ def slide(name: str, title: str) -> AbstractContextManager[Any]:
     ----------
     name : name of the slide in the address
     title : title in the list of slides
+    heading : heading at the top of the slide
     """
     if not is_projector():
         return nullcontext()
     slide_container = container("slide", name)
     slide_container.html(f'<i data-slide="{escape(title)}"></i>')
+    if heading:
+        slide_container.header(heading, anchor=False)
     return slide_container
 
 
@@ -121,8 +124,7 @@ def folded(name: str, title: str, *parts: Callable[[], None]) -> None:
     if is_projector():
         for number, draw in enumerate(parts):
             part_title = _("{heading}, continued").format(heading=title) if number else title
-            with slide(f"{name}_{number}" if number else name, part_title):
-                st.header(part_title, anchor=False)
+            with slide(f"{name}_{number}" if number else name, part_title, heading=part_title):
                 draw()
         return
     line = fold(name, title, on_change="rerun")

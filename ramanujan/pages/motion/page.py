@@ -145,16 +145,12 @@ def draw_figures(motion: Record, friction: Friction, setting: cache.ReleaseParam
             for number, (panels, figure) in enumerate(figures.items(), start=1):
                 name = view if number == 1 else f"{view}_{number}"
                 title = _("{figure}: {panel}").format(figure=FIGURES[view], panel=panels)
-                with slide(name, title if len(figures) > 1 else FIGURES[view]):
-                    if is_projector:
-                        st.header(FIGURES[view], anchor=False)
+                with slide(name, title if len(figures) > 1 else FIGURES[view], heading=FIGURES[view]):
                     draw_functions[view](motion, figure, name)
             if has_frames:
                 draw_phase_plane(motion, setting)
             if view == "forces":
-                with slide("friction", _("Friction needed")):
-                    if is_projector:
-                        st.header(_("Friction needed"), anchor=False)
+                with slide("friction", _("Friction needed"), heading=_("Friction needed")):
                     plots.draw_required_friction(motion, friction)
                     if is_projector:
                         widgets.page_slider(MU)
@@ -174,8 +170,7 @@ def draw_phase_plane(motion: Record, setting: cache.ReleaseParameters) -> None:
         title = _("Phase plane: the velocity of each body over its displacement")
         folded("phase_plane", title, draw, plots.explain_phase_plane)
         return
-    with slide("phase_plane", _("Phase plane")):
-        st.header(_("Phase plane"), anchor=False)
+    with slide("phase_plane", _("Phase plane"), heading=_("Phase plane")):
         frame = choose_frame()
         plots.draw_phase_plane(motion, frame, cache.phase_plane(frame, theme.current(), *setting))
         plots.explain_phase_plane()
