@@ -39,8 +39,8 @@ def test_every_name_in_the_guide_is_defined_in_its_file():
 
 def test_no_line_of_a_style_sheet_or_module_is_longer_than_one_of_python():
     longest = tomllib.loads((ROOT / ".ruff.toml").read_text(encoding="utf-8"))["line-length"]
-    files = [path for folder in ("ramanujan", "tests") for path in (ROOT / folder).rglob("*.[cj]s*")]
-    for path in (path for path in files if path.suffix in (".css", ".js")):
+    folders = ROOT / "ramanujan", ROOT / "tests"
+    for path in (path for folder in folders for kind in ("css", "js") for path in folder.rglob(f"*.{kind}")):
         for number, line in enumerate(path.read_text(encoding="utf-8").splitlines(), start=1):
             assert len(line) <= longest, f"{path}, line {number} is longer than {longest} characters."
 
