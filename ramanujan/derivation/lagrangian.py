@@ -22,7 +22,8 @@ COLLECTED = margin_text(_("collect"))
 def velocity_reason(body: Body, order: str = "") -> str:
     """Return the operation that leads to a body's velocity, or to its acceleration with the order ^2."""
     if body.displacement.has(R):
-        return margin_text(_("rolling without slipping"))
+        # A body that moves with R without turning lies on rollers.
+        return margin_text(_("rolling without slipping") if body.angle != 0 else _("as the tops of the rollers"))
     return rf"\tfrac{{d{order}}}{{dt{order}}}\left({latex(body.displacement)}\right)"
 
 
