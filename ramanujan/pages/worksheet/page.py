@@ -150,19 +150,20 @@ def draw_head(machine: Oscillator, paper: str, seed: str, calculation_numbers: l
             alt=_("The machine, drawn to scale: block, hoop, lower cylinder, slab, spring and top cylinder."),
             style="width:100%",
         )
-    sentences = [
+        st.markdown(
+            _("The machine of questions {first} to {last}: {values}.").format(
+                first=calculation_numbers[0], last=calculation_numbers[-1], values=values
+            )
+        )
+    head.markdown(
         _(
             "Model: the bodies are rigid and the spring is ideal. The three rollers roll without slipping, and the "
             "floor has no friction. The machine oscillates with one angular frequency, Ω. The mass ratio is "
             "$\\varepsilon=m'/m$. “Plain mass” means a mass m that oscillates on an equal spring, with the angular "
             "frequency {frequency}. The block is displaced by X to the left. The lower rollers turn clockwise by φ, "
             "the top cylinder by Φ."
-        ).format(frequency="$\\sqrt{k/m}$"),
-        _("The machine of questions {first} to {last}: {values}.").format(
-            first=calculation_numbers[0], last=calculation_numbers[-1], values=values
-        ),
-    ]
-    head.markdown("\n\n".join(sentences))
+        ).format(frequency="$\\sqrt{k/m}$")
+    )
 
 
 def draw_question(number: int, question: WorksheetQuestion, with_key: bool) -> None:
