@@ -4,7 +4,7 @@ The results come from `number_theory` (exact integers) and from the derivation. 
 """
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from fractions import Fraction
 from functools import cache
 
@@ -24,6 +24,9 @@ from ramanujan.text.translation import _
 
 LARGEST_PART = 1000
 """The largest p and q. Every discriminant in this range can be factored."""
+
+SMALL_PART = 20
+"""The largest p and q of the targets that are searched for sums of two cubes."""
 
 PAPER = BodyChoice()
 """The paper's machine."""
@@ -107,6 +110,16 @@ def results(left: str, right: str, top: str, p: int = 1, q: int = 1) -> Results:
 def machines() -> tuple[BodyChoice, ...]:
     """Return all 40 machines at the unit frequency, and cache their factors and cubes."""
     return tuple(number_theory.machines())
+
+
+@cache
+def small_targets() -> tuple[BodyChoice, ...]:
+    """Return the paper's machine with each target p/q that it reaches, p and q up to `SMALL_PART`, in ascending order.
+    """
+    most = number_theory.normalized_frequency_squared_exact(*PAPER.bodies, 0)
+    parts = range(1, SMALL_PART + 1)
+    targets = {Fraction(p, q) for p in parts for q in parts}
+    return tuple(replace(PAPER, target=target) for target in sorted(targets) if target < most)
 
 
 def curve(least: float, most: float) -> tuple[np.ndarray, np.ndarray]:

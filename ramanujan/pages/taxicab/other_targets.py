@@ -73,6 +73,23 @@ def describe_target(results: cache.Results) -> None:
     if isqrt(discriminant) ** 2 == discriminant:
         sentences.append(_("The discriminant is a square, so this $\\varepsilon$ is a fraction."))
     st.markdown(" ".join(sentences))
+    st.markdown(_describe_rarity())
+
+
+def _describe_rarity() -> str:
+    """Name the simple targets whose discriminant is a sum of two cubes."""
+    targets = cache.small_targets()
+    # TRANSLATORS: after a fraction: its number is a sum of two cubes in so many ways.
+    several = _("{target} (in {n} ways)")
+    names = []
+    for machine in targets:
+        ways = len(machine.cubes)
+        if ways:
+            names.append(several.format(target=machine.target, n=ways) if ways > 1 else str(machine.target))
+    sentence = _(
+        "Such sums are rare: of the {count} targets with $p$ and $q$ up to {most}, only these lead to one: {names}."
+    )
+    return sentence.format(count=len(targets), most=cache.SMALL_PART, names=", ".join(names))
 
 
 @st.fragment(key="unit_curve")

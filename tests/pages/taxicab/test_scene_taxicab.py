@@ -97,6 +97,25 @@ def test_a_target_has_its_quadratic_and_its_ratio(page: AppTest, p: int, q: int)
     assert float(normalized_frequency_squared(float(root))) == pytest.approx(p / q, rel=1e-12)
 
 
+def test_all_simple_targets_that_lead_to_a_sum_of_two_cubes_are_named(page: AppTest) -> None:
+    sums = Counter(x**3 + y**3 for x in range(1, 200) for y in range(x, 200))
+    parts = range(1, 21)
+    targets = sorted({Fraction(p, q) for p in parts for q in parts if 4 * p < 7 * q})
+    names = []
+    for target in targets:
+        # Ω²m/k = w, multiplied by the denominator, with coprime coefficients.
+        coefficients = sp.Matrix([18 * target, 49 * target - 48, 32 * target - 56])
+        a, b, c = coefficients * sp.ilcm(*(term.q for term in coefficients))
+        discriminant = (b**2 - 4 * a * c) / sp.igcd(a, b, c) ** 2
+        assert discriminant < 200**3
+        ways = sums[int(discriminant)]
+        if ways:
+            names.append(f"{target} (in {ways} ways)" if ways > 1 else str(target))
+    assert "1 (in 2 ways)" in names
+    expected = f"of the {len(targets)} targets with $p$ and $q$ up to 20, only these lead to one: {', '.join(names)}."
+    assert expected in words(page)
+
+
 def test_a_target_out_of_reach_gets_one_sentence_and_the_last_good_one_stays(page: AppTest) -> None:
     page.number_input(key="q").set_value(1).run()
     (warning,) = page.warning
