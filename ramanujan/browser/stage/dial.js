@@ -50,7 +50,8 @@ function driftSentence(drift) {
   return fill(drift > 0 ? WORDS.gains : WORDS.loses, { periods: periodsPerTurn(drift) });
 }
 
-export function makeDial(root) {
+/** Make the dial. `asked`: the number of periods in the question of this stage, which the sentence counts, or null. */
+export function makeDial(root, asked) {
   const find = finder(root);
   const names = ["normalized", "omega", "period"];
   const readouts = Object.fromEntries(names.map((name) => [name, find(`[data-read=${name}]`)]));
@@ -76,6 +77,13 @@ export function makeDial(root) {
     const ratio = solution.normalized.toPrecision(9);
     if (ratio !== describedRatio) write(find(".parting"), driftSentence(drift));
     describedRatio = ratio;
+  }
+
+  /** Write the sentence about the present angle, and up to the moment of a question the periods that have passed. */
+  function writeVerdict(playback) {
+    const sentence = leadSentence(playback), done = Math.floor(playback.periods + 1e-9);
+    const isCounting = asked && done >= 0 && done <= asked;
+    write(find(".verdict"), isCounting ? fill(WORDS.counting, { done, periods: asked, sentence }) : sentence);
   }
 
   /** Replace the sentence about the drift until the drift changes. */
@@ -109,7 +117,7 @@ export function makeDial(root) {
         "stroke-dasharray": `${Math.abs(lead)} 1`,
       },
     });
-    if (writesText) write(find(".verdict"), leadSentence(playback));
+    if (writesText) writeVerdict(playback);
   }
 
   return { machine, explain, frame };

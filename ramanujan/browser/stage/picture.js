@@ -29,10 +29,10 @@ const CHARACTER = 0.54; // width of a character of the ruler's labels, at most, 
  * - collision(known): return the end of the motion in this state, or null
  * - toMetres(clientX): convert a pointer's x to metres along the floor
  */
-export function makePicture(root, { compact, dials, narrow, limits, label }, signal) {
+export function makePicture(root, { compact, dials, narrow, limits, label, rest_after: asked }, signal) {
   const find = finder(root);
   const host = find(".stage"), svg = find(".machine"), moving = find(".moving");
-  const inMoving = finder(moving), layers = makeLayers(root), dial = makeDial(root);
+  const inMoving = finder(moving), layers = makeLayers(root), dial = makeDial(root, asked);
   const sizes = new ResizeObserver(fitText);
   signal.addEventListener("abort", () => sizes.disconnect());
   let place = null; // the geometry from `layout`

@@ -33,6 +33,8 @@ SENTENCES = {
     "close": _("Now the hands agree to {least} turns."),
     "ahead": _("Now the machine is {turns} turns ahead."),
     "behind": _("Now the machine is {turns} turns behind."),
+    # TRANSLATORS: before one of the sentences about the hands, while a question about so many periods is open.
+    "counting": _("{done} of {periods} periods. {sentence}"),
     # TRANSLATORS: turns of the machine's hand, a whole number, compared with the other hand.
     "meets_ahead": _("Now the hands meet. Full turns gained: {turns}."),
     "meets_behind": _("Now the hands meet. Full turns lost: {turns}."),

@@ -22,9 +22,10 @@ URL_PARAMETERS = (*progress.URL_PARAMETERS, *tasks.URL_PARAMETERS, *exercise.URL
 # Numbers of stops on a slide of the projector view: with their notes, and with their results.
 _NOTES_PER_SLIDE, _RESULTS_PER_SLIDE = 3, 9
 ENDING = _("What you have seen")
-# A style rule that hides the drawer of sliders. In page.css it would need :has(), which is slow.
-WITHOUT_DRAWER = "<style>:root:root:root { --drawer: 0px; --drawer-content: none; }</style>"
-# The sizes of clock and machine at a stop with a slider below them. See WITHOUT_DRAWER.
+# A style rule for the stops: no drawer of sliders, and no value of Ω²m/k, which the first stops have not yet explained.
+# In page.css it would need :has(), which is slow.
+_AT_STOPS = "<style>:root:root:root { --drawer: 0px; --drawer-content: none; --stage-readouts: none; }</style>"
+# The sizes of clock and machine at a stop with a slider below them. See _AT_STOPS.
 _ABOVE_SLIDER = "<style>:root { @media (width >= 1000px) { --clock: 24vh; --picture: 36vh; } }</style>"
 _ONWARDS = {
     "oscillator": _("Look for the ratio in step yourself, on the page Oscillator"),
@@ -109,7 +110,7 @@ def read_prediction(stop: lesson.Stop) -> tuple[str | None, str]:
 
 def draw_stops(head: st.delta_generator.DeltaGenerator) -> None:
     """Draw the current stop or the end, and at the top the buttons that select another one."""
-    st.html(WITHOUT_DRAWER)
+    st.html(_AT_STOPS)
     path = progress.list_stops()
     ids = [*(stop.id for stop in path), progress.END]
     number = ids.index(address.current(progress.STOP)) + 1
