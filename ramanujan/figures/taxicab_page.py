@@ -40,21 +40,13 @@ def draw_level_crossing(
         ring | {"hovertemplate": f"{yours}<br>{hover}"},
         marks([root], [level], "star", 16, colors["top"]),
     ]
-    left, right = float(ratios[0]), float(ratios[-1])
-    # The label avoids the falling curve: above its flat start, below its steep part, or above its flat end.
-    at_start = root < left + 0.4 * (right - left)
-    if at_start:
-        offset, anchor = (22, -50), "left"
-        level_end, beside = right, {"xanchor": "right", "xshift": -6}
-    else:
-        is_at_flat_end = level < 0.35 * values[0]
-        offset, anchor = (-22, -50 if is_at_flat_end else 40), "right"
-        level_end, beside = left, {"xanchor": "left", "xshift": 6}
+    # The curve falls, so the place above the level and to the right of the root is free.
+    right = float(ratios[-1])
     notes = [
-        arrow_label(Mark(root, level, root_label), offset, anchor, colors),
-        note(level_label, None, level_end, level) | beside | {"yanchor": "bottom", "yshift": 3},
+        arrow_label(Mark(root, level, root_label), (22, -50), "left", colors),
+        note(level_label, None, right, level) | {"xanchor": "right", "xshift": -6, "yanchor": "bottom", "yshift": 3},
     ]
-    highest, ratio_axis = 1.3 * float(values[0]), {"range": (left, right)}
+    highest, ratio_axis = 1.3 * float(values[0]), {"range": (0, right)}
     return draw_over_ratios(traces, highest, hover, colors, ratio_axis, height=304, annotations=notes)
 
 

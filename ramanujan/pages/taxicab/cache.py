@@ -122,9 +122,9 @@ def small_targets() -> tuple[BodyChoice, ...]:
     return tuple(replace(PAPER, target=target) for target in sorted(targets) if target < most)
 
 
-def curve(least: float, most: float) -> tuple[np.ndarray, np.ndarray]:
-    """Return mass ratios and Ω²m/k of the paper's machine between two mass ratios."""
-    ratios = np.geomspace(least, most, 121)
+def curve(most: float) -> tuple[np.ndarray, np.ndarray]:
+    """Return mass ratios and Ω²m/k of the paper's machine from nearly 0 to a mass ratio."""
+    ratios = np.geomspace(most / 1000, most, 121)
     return ratios, np.asarray(normalized_frequency_squared(ratios))
 
 

@@ -101,11 +101,10 @@ def draw_curve() -> None:
     target = results.machine.target
     present = machine.mass_ratio, machine.normalized_frequency_squared
     level, ratio = f"Ω²m/k = {target}", number(results.ratio, 7)
-    # The curve contains the target and the current machine.
-    least = min(results.ratio / 2, 0.9 * machine.mass_ratio)
+    # The curve contains the target and the current machine, and beside the target there is room for its label.
     most = max(2 * results.ratio, 1.1 * machine.mass_ratio)
     figure = figures.draw_level_crossing(
-        *cache.curve(least, most),
+        *cache.curve(most),
         level=float(target),
         level_label=_("in step: {level}").format(level=level) if target == 1 else level,
         root=results.ratio,

@@ -212,7 +212,7 @@ def test_the_figure_of_all_machines_marks_the_chosen_one() -> None:
 def test_labels_of_the_curve_stay_on_the_figure_at_every_target() -> None:
     for w in (1 / 1000, 0.3, 1.0, 1.3, 1.74):
         root = (48 - 49 * w + ((7 * w - 48) ** 2 + 48 * w * w) ** 0.5) / (36 * w)
-        ratios, values = cache.curve(min(root / 2, 0.9), max(2 * root, 1.1))
+        ratios, values = cache.curve(max(2 * root, 1.1))
         crossing = figures.draw_level_crossing(
             ratios, values, level=w, level_label="w", root=root, root_label="r", present=(1, 1), colors=COLORS
         )
