@@ -165,11 +165,15 @@ def test_on_a_phone_the_verdict_is_visible_and_hands_are_compared_at_the_moment_
     assert verdict["height"] > 20
     assert verdict["y"] + verdict["height"] <= machine["y"] < 600
     assert machine["y"] + machine["height"] <= reason["y"]
+    dial = page.locator(".dial").first.bounding_box()
+    assert machine["y"] + machine["height"] <= dial["y"]
+    assert dial["y"] + dial["height"] <= 844
     assert page.evaluate(WIDTH) <= 390
     page.get_by_role("button", name="Show the hands after 10 periods").click()
     page.wait_for_function("ramanujan.last('time/stage_two-clocks_0')?.time > 1")
     shown = page.evaluate("ramanujan.last('time/stage_two-clocks_0').time")
     assert shown == pytest.approx(10 * 2 * math.pi / math.sqrt(10.0), rel=1e-6)
+    assert page.locator(".verdict").first.inner_text().startswith("10 of 10 periods.")
     for address in ("stop=contact", "part=tasks&task=top-at-rest", "part=notes"):
         page = visit(f"lesson?{address}", width=390, height=844, within=page)
         assert page.evaluate(WIDTH) <= 390, address
