@@ -49,7 +49,7 @@ def unit_equations(ink: str, paper: str) -> str:
         f"{latex(in_step)} = 1",
         _operation(rf"\times\left({latex(sp.fraction(in_step.rhs)[1])}\right)", unit.operations[-1]),
         latex(quadratic),
-        _operation(rf"{root.operations[1]}\;(4\cdot{a})", margin_text(_("complete the square"))),
+        _operation(rf"{root.operations[1]}=4\cdot{a}", margin_text(_("complete the square"))),
         written_out,
         f"= {b**2} + {-4 * a * c} = {value}",
     )
@@ -61,8 +61,8 @@ def _operation(*parts: str) -> str:
 
 
 def aligned(*equations: str) -> str:
-    """Return LaTeX equations below each other, aligned at their equals signs."""
-    lines = r" \\[.6em] ".join(equation.replace("=", "&=", 1) for equation in equations)
+    """Return LaTeX equations below each other, aligned at their equals signs. An operation has its own place."""
+    lines = r" \\[.6em] ".join(line if "&" in line else line.replace("=", "&=", 1) for line in equations)
     return rf"\begin{{aligned}}{lines}\end{{aligned}}"
 
 

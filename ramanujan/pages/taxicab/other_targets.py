@@ -15,7 +15,7 @@ from ramanujan.shell.display_mode import columns, picture_and_words, slide
 from ramanujan.text.numerals import filled, number
 from ramanujan.text.translation import _
 
-P, Q = (address.Count(part, cache.LARGEST_PART, default) for part, default in (("p", 3), ("q", 2)))
+P, Q = (address.Count(part, cache.LARGEST_PART, default) for part, default in (("p", 3), ("q", 16)))
 URL_PARAMETERS = (P, Q)
 _LAST = "last_target"
 """Session state: p and q of the last target that a machine reaches."""

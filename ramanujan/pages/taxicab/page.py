@@ -49,10 +49,12 @@ def draw_reason() -> None:
         if not is_projector():
             smaller, larger = PAPER.cubes[0]
             meaning = _(
-                "The number is the discriminant $b^2-4ac$ of the quadratic equation. Its two terms are cubes, "
-                "${one}={x}^3$ and ${other}={y}^3$: the left stack. The right stack has as many unit cubes."
+                "The number is the discriminant $b^2-4ac$ of the quadratic equation, with $a={a}$, $b={b}$ and "
+                "$c={c}$. Its two terms are cubes, ${one}={x}^3$ and ${other}={y}^3$: the left stack. The right stack "
+                "has as many unit cubes."
             )
-            st.markdown(meaning.format(one=smaller**3, x=smaller, other=larger**3, y=larger))
+            a, b, c = PAPER.quadratic
+            st.markdown(meaning.format(a=a, b=b, c=c, one=smaller**3, x=smaller, other=larger**3, y=larger))
 
 
 if __name__ == "__main__":
