@@ -60,7 +60,7 @@ _DOTTED = re.compile("<mover><mi>(.)</mi><mo>([˙¨])</mo></mover>")
 _COMBINING = {"˙": "\u0307", "¨": "\u0308"}
 _SPACE = '<mspace width="0.167em" />'
 _NOT_ASCII = re.compile(r"[^\x00-\x7f]")
-_COMMENT = re.compile(r"^\s*//.*\n", re.MULTILINE)
+_COMMENT = re.compile(r"^\s*(//.*|/\*[^*]*(\*+[^*/][^*]*)*\*+/)\n", re.MULTILINE)
 
 
 def html() -> str:
