@@ -173,7 +173,10 @@ def draw_question(number: int, question: WorksheetQuestion, with_key: bool) -> N
         parts = "\n\n".join(filter(None, question_parts(question, with_key)))
         st.markdown(f"**{number}.** {points} {parts}")
         if not with_key:
-            lines = "<div style='border-bottom:1px dotted #888;height:1cm'></div>" * question.space
+            # TRANSLATORS: before the lines on which a student says why an option is right.
+            texts = [_("Because") if question.options else "", *[""] * (question.space - 1)]
+            style = "border-bottom:1px dotted #888;height:1cm;align-content:end"
+            lines = "".join(f"<div style='{style}'>{text}</div>" for text in texts)
             st.html(f"<div class='room'>{lines}</div>")
 
 
