@@ -84,6 +84,8 @@ export function makeDial(root, asked) {
     const sentence = leadSentence(playback), done = Math.floor(playback.periods + 1e-9);
     const isCounting = asked && done >= 0 && done <= asked;
     write(find(".verdict"), isCounting ? fill(WORDS.counting, { done, periods: asked, sentence }) : sentence);
+    // The sentence about the drift would answer the question before its moment.
+    find(".step").toggleAttribute("data-counting", isCounting && done < asked);
   }
 
   /** Replace the sentence about the drift until the drift changes. */

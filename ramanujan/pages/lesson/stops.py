@@ -63,9 +63,11 @@ def is_running(phase: str) -> bool:
 
 
 def set_prediction(stop: Stop, option: str | None, phase: str) -> None:
-    """Callback: make, delete or advance a prediction."""
+    """Callback: make, delete or advance a prediction. A machine that already runs goes on."""
+    was_running = is_running(progress.read_prediction(stop)[1])
     progress.predict(stop, option, phase)
-    load_machine(stop, is_running(phase))
+    if not (was_running and is_running(phase)):
+        load_machine(stop, is_running(phase))
 
 
 def draw(

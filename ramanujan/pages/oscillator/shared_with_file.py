@@ -26,13 +26,10 @@ def question() -> str:
 
 def reason() -> str:
     """Return why the ratio in step is remarkable, in Markdown."""
-    sentences = _(
-        "The ratio is {ratio}, and {number} = {sums} is the smallest number with two such sums: the number of Hardy’s "
-        "taxi."
-    )
+    sentence = _("{number} = {sums} is the smallest number with two such sums: the number of Hardy’s taxi.")
     number = smallest_taxicab()
     sums = " = ".join(f"{x}³\u00a0+\u00a0{y}³" for x, y in sums_of_two_cubes(number))
-    return sentences.format(ratio=cache.unit_ratio(), number=number, sums=sums)
+    return sentence.format(number=number, sums=sums)
 
 
 def curve_alternative(curve: FrequencyCurve) -> str:
