@@ -218,7 +218,7 @@ export function scenery({ floor: [from, to], slab, travel, shelf, riser }) {
     ".plain .rest": { d: `M${end} ${-shelf}v${-high - 2}` },
     ".plain .form": { x: end - wide, y: -shelf - high, width: wide, height: high },
     ".plain .body text": { x: end - wide / 2, y: -shelf - high / 2 },
-    ".plain .caption": { x: riser - 1, y: -shelf - high - 4 },
+    ".plain .caption": { x: riser - 1, y: -shelf - high - 2 },
   };
 }
 

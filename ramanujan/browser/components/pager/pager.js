@@ -110,6 +110,8 @@ class Pager {
     this.hasShown ||= now >= 0;
     reveal(now, this.slides);
     this.list.selectedIndex = now;
+    // A single slide needs no pager, and a lesson counts its stops itself. Its place stays.
+    this.list.parentElement.style.visibility = this.slides.length > 1 ? "" : "hidden";
     this.back.disabled = now <= 0;
     this.next.disabled = now >= this.slides.length - 1;
     this.fit();
