@@ -277,7 +277,8 @@ def offer_files(setting: Setting) -> None:
 def compare_routes() -> None:
     """Draw the common result of all routes, and for each route a check mark on a button that selects it."""
     st.header(_("All routes give the same frequency"), anchor=False)
-    lines = cache.result(None if display_mode.hides("numbers") else current_numbers())
+    numbers = None if display_mode.hides("numbers") else current_numbers()
+    lines = cache.result(numbers)
     if not display_mode.is_projector():
         # The formula is at the top of the page.
         lines = lines[1:]
@@ -286,6 +287,8 @@ def compare_routes() -> None:
     with formulas, formulas_column:
         for line in lines:
             st.latex(line)
+        if numbers and not display_mode.is_projector():
+            st.caption(state_numbers(numbers))
     with words, words_column:
         with st.container(horizontal=not display_mode.is_projector()):
             for route in cache.all_routes():
