@@ -102,7 +102,7 @@ MUTATIONS = [
         "drawn(1.3 * value * unitLengths[name])",
         LAYERS,
     ),
-    Mutation("the plain mass's hand is frozen", "stage/dial.js", "rotate(${degrees(plainPhase)})", "rotate(0)"),
+    Mutation("the plain mass's hand is frozen", "stage/dial.js", "rotate(${degrees(other)})", "rotate(0)"),
     Mutation(
         "the arrow of the drift points the other way",
         "stage/dial.js",

@@ -170,7 +170,9 @@ FORMS: dict[str, Form] = {
         _integers,
     ),
 }
-"""Name → formula for Ω². The app uses "effective_mass"."""
+"""Name → formula for Ω²."""
+USED_FORM = "effective_mass"
+"""The formula that the app uses."""
 
 
 def _evaluate_forms(sweep_name: str, dtype: str) -> Iterator[Sweep]:

@@ -13,11 +13,6 @@ SYMBOLS = ("circle", "square", "diamond", "triangle-up", "triangle-down", "penta
 """The symbols of the methods, in order."""
 
 
-def method_look(index: int, colors: Colors) -> tuple[str, str]:
-    """Return the colour and the symbol of a method."""
-    return colors[f"method_{index}"], SYMBOLS[index]
-
-
 def axis(title: str, ends: Sequence[float], **more: Any) -> dict[str, Any]:
     """Return an axis in the common look, with its title and its range in Plotly's units."""
     look = {"tickfont": {"size": 12}, "ticklabelstandoff": 3, "exponentformat": "power", "fixedrange": True}
@@ -33,14 +28,6 @@ def level_line(ends: Sequence[float], level: float, name: str, colors: Colors) -
     """Return a horizontal line for comparison with the curves."""
     trace = line(list(ends), [level] * 2, color=colors["ink"], dash="dash", width=1.5)
     return trace | {"name": name, "hoverinfo": "skip"}
-
-
-def power_axis(title: str, low: float, high: float) -> dict[str, Any]:
-    """Return a linear axis of exponents with the tick labels 10ⁿ."""
-    step = next(step for step in (10, 20, 50, 100) if (high - low) / step <= 6)
-    values = [n for n in range(-400, 401, step) if low <= n <= high]
-    powers = [f"10<sup>{n}</sup>".replace("-", "−") if n else "1" for n in values]
-    return axis(title, (low, high), tickvals=values, ticktext=powers)
 
 
 def select_drawable(values: np.ndarray, upper: float) -> np.ndarray:

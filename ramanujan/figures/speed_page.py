@@ -1,4 +1,4 @@
-"""The figures of the speed page: growth of errors, work–precision diagram, forms of Ω², and phase errors."""
+"""The figures of the speed page: growth of errors, work–precision diagram, and phase errors."""
 
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
@@ -7,20 +7,20 @@ from typing import Any
 import numpy as np
 
 from ramanujan.figures import EncodedFigure, build_figure, line, logarithmic, marks, note, spread
-from ramanujan.figures.logarithmic import Colors, axis, level_line, log_axis, method_look, select_drawable
+from ramanujan.figures.logarithmic import Colors, axis, level_line, log_axis, select_drawable
 from ramanujan.text.numerals import number
 from ramanujan.text.translation import _, ngettext
 
 _NAMED = "<extra>%{fullData.name}</extra>"
 """The second hover box of Plotly, with the name of the curve."""
 _AFTER = _("after {periods} periods: {error}")
-_STRIP_HEIGHT, _HALF_STRIP = 44, 0.24
-"""The height of a form's strip with the name above it [px], and half the strip's fraction of that height."""
 _MARGIN = {"l": 60, "r": 28, "t": 12, "b": 48}
-_STRONG, _GRAY = 4.0, 1.5
+_STRONG, _GRAY = 4.0, 1.0
 """The widths of the line of the chosen method, and of the other methods [px]."""
 _SYMBOL = 7
 """The size of the symbol of a method [px]."""
+_SYMBOL_OF_GRAY = 4
+"""The size of the symbols along a gray line of many marks [px]."""
 _LONGEST_NAME = 18
 """The largest number of letters of a name in one line at the right edge."""
 _LINE_HEIGHT = 0.08
@@ -35,19 +35,9 @@ CurveArrays = tuple[np.ndarray, np.ndarray, np.ndarray]
 """The points of one method: three arrays of equal length."""
 
 
-@dataclass(frozen=True)
-class Part:
-    """A part of a form's strip between two exponents of ten, whether the form is right in it, and a label."""
-
-    start: float
-    end: float
-    is_right: bool
-    label: str
-
-
 def draw_error_growth(
     curves: Mapping[str, tuple[np.ndarray, np.ndarray]],
-    chosen: str,
+    chosen: str | None,
     *,
     title: str,
     limits: tuple[float, float],
@@ -61,7 +51,7 @@ def draw_error_growth(
     Parameters
     ----------
     curves : name of each method → numbers of periods from 1, and the error after them
-    chosen : the name of the method that is drawn strongly, among gray ones
+    chosen : the name of the method that is drawn strongly, if any, among gray ones
     title : of the error axis
     limits : of the error axis. A line with other errors leaves the figure.
     allowed : the largest error allowed, if any
@@ -69,6 +59,7 @@ def draw_error_growth(
     """
     traces = []
     line_ends = {}
+    chosen_label = None
     symbols = dict(zip(curves, logarithmic.SYMBOLS, strict=False))
     right = max(float(periods[-1]) for periods, _errors in curves.values())
     # Draw the chosen method last, above the others.
@@ -210,14 +201,14 @@ def draw_work_precision(
             place = np.log10(run.cost), np.log10(height)
             notes.append(note(name, colors[run.color], *place) | _place_name(*place, ends, limits, run.size / 2))
     # No run is both cheap and accurate, so the left end of the band is free. The closed form may be in its corner.
-    level = max(float(np.sqrt(tolerance * limits[0])), 10 * limits[0])
+    level = max(tolerance / 10, limits[0])
     band = _shade_allowed(tolerance, limits, (ends[0], level), colors)
     notes += band["annotations"]
     x_range = float(np.log10(ends[0])) - 0.1, float(np.log10(ends[1])) + 0.11
     return build_figure(
         traces,
         colors,
-        384,
+        400,
         margin=_MARGIN,
         annotations=notes,
         shapes=band["shapes"],
@@ -262,7 +253,7 @@ def _method_curves(
         curve["line"]["dash"] = "solid" if is_double else "dot"
         properties: dict[str, Any] = {
             "mode": "lines+markers" if is_double else "lines",
-            "marker": {"symbol": symbols[name], "size": _SYMBOL},
+            "marker": {"symbol": symbols[name], "size": _SYMBOL if name == chosen else _SYMBOL_OF_GRAY},
             "name": name,
             "text": [_describe_steps(dtype, int(n)) for n in steps],
             "hovertemplate": f"%{{text}}<br>{hover}",
@@ -279,8 +270,11 @@ def _name_lines(
     limits: tuple[float, float],
     symbols: Mapping[str, str],
     colors: Colors,
+    leader: float = 0.1,
 ) -> tuple[list[dict[str, Any]], dict[str, Any]]:
     """Return a leader from the end of each line to its symbol and name, and the axis at the right edge with the names.
+
+    A leader has the width `leader`, in decades of the horizontal axis.
 
     Names are tick labels, because Plotly widens the margin for these, but not for annotations.
     """
@@ -290,17 +284,17 @@ def _name_lines(
     halves = [(high - low) * _LINE_HEIGHT * (label.count("<br>") + 1) / 2 for label in labels]
     ends = [float(np.clip(np.log10(line_ends[name][1]), low, high)) for name in names]
     levels = [10.0**height for height in spread(ends, halves, low, high)]
-    edge = right * 10**0.1
+    edge = right * 10**leader
     leaders = []
     for name, level in zip(names, levels, strict=True):
         cost, error = line_ends[name]
         color = colors["primary"] if name in (chosen, _SINGLE) else colors["block"]
-        leader = line([float(cost), edge], [float(error), level], color=color, width=1)
+        joint = line([float(cost), edge], [float(error), level], color=color, width=1)
         # The symbol of the line is only at the name.
         look = {"opacity": 1, "line": {"width": 0}}
         marker = {"symbol": symbols.get(name, "circle"), "size": [0, _SYMBOL * (name in symbols)], **look}
         properties = {"mode": "lines+markers", "marker": marker, "cliponaxis": False}
-        leaders.append(leader | properties | {"hoverinfo": "skip", "yaxis": "y2"})
+        leaders.append(joint | properties | {"hoverinfo": "skip", "yaxis": "y2"})
     texts = []
     for name, label in zip(names, labels, strict=True):
         tag = "b" if name == chosen else "span"
@@ -319,88 +313,51 @@ def _name_lines(
     return leaders, right_axis
 
 
-def draw_forms(strips: Mapping[str, Sequence[Part]], *, quantity: str, colors: Colors) -> EncodedFigure:
-    """Draw a strip for each form of Ω², divided into the ranges where the form is right, and where it fails.
-
-    Parameters
-    ----------
-    strips : name of the form → its parts, in order
-    quantity : title of the horizontal axis, along which the parts are given as exponents of ten
-    colors : the theme's
-    """
-    rows: list[int] = []
-    parts: list[Part] = []
-    for row, parts_of_form in enumerate(strips.values()):
-        rows += [row] * len(parts_of_form)
-        parts += parts_of_form
-    start, end = min(part.start for part in parts), max(part.end for part in parts)
-    shortest_with_label = (end - start) / 20
-    bars = {
-        "type": "bar",
-        "orientation": "h",
-        "y": rows,
-        "base": [part.start for part in parts],
-        "x": [part.end - part.start for part in parts],
-        "width": 2 * _HALF_STRIP,
-        "marker": {
-            "color": [colors["primary"] if part.is_right else colors["ink"] for part in parts],
-            "line": {"color": colors["paper"], "width": 2},
-        },
-        # A part that is too short for a legible label has only a hover text.
-        "text": [part.label if part.end - part.start > shortest_with_label else "" for part in parts],
-        "customdata": [part.label for part in parts],
-        "textposition": "inside",
-        "insidetextanchor": "middle",
-        "textangle": 0,
-        "constraintext": "none",
-        "textfont": {"color": colors["paper"], "size": 13},
-        "hovertemplate": "%{customdata}<extra></extra>",
-    }
-    above = {"xanchor": "left", "yanchor": "bottom"}
-    notes = [note(name, colors["ink"], start, row - _HALF_STRIP) | above for row, name in enumerate(strips)]
-    # The first strip is at the top. The margins, in strips, leave room for its name and below the last strip.
-    hidden = {"visible": False, "range": [len(strips) - 0.65, -0.8], "fixedrange": True}
-    x_axis = logarithmic.power_axis(quantity, start, end) | {"showgrid": False}
-    height = 84 + _STRIP_HEIGHT * len(strips)
-    return build_figure(
-        [bars], colors, height, margin=_MARGIN | {"l": 28}, xaxis=x_axis, yaxis=hidden, annotations=notes
-    )
-
-
-def draw_phase_errors(periods: Sequence[float], curves: Mapping[str, Sequence[float]], colors: Colors) -> EncodedFigure:
+def draw_phase_errors(
+    periods: Sequence[float], curves: Mapping[str, Sequence[float]], chosen: str, colors: Colors
+) -> EncodedFigure:
     """Draw the phase error against the number of periods for each method; both axes logarithmic.
+
+    Each line has its name at the right edge.
 
     Parameters
     ----------
     periods : 1, 10, 100, …
     curves : name → phase error [rad]
+    chosen : the name of the method that is drawn strongly, among gray ones
     colors : the theme's
     """
     hover = _AFTER.format(periods="%{customdata[0]}", error="%{customdata[1]}\u202frad") + _NAMED
-    traces, notes = [], []
-    middle, last = len(periods) // 2, len(periods) - 1
-    # Point of the curve → position of its name. Only the first two curves rise.
-    below = {"xanchor": "left", "yanchor": "top", "xshift": 10}
-    above = {"xanchor": "right", "yanchor": "bottom", "yshift": 4}
-    places = ((middle, below), (middle, below), (last, above))
-    for index, ((name, errors), (point, place)) in enumerate(zip(curves.items(), places, strict=True), start=1):
-        color, symbol = method_look(index, colors)
+    limits = 1e-17, 1e3
+    symbols = dict(zip(curves, logarithmic.SYMBOLS, strict=False))
+    traces = []
+    for name, errors in curves.items():
+        look = {"color": colors["primary"], "width": _STRONG} if name == chosen else _gray(colors)
         properties = {
             "name": name,
             "mode": "lines+markers",
-            "marker": {"symbol": symbol, "size": 8},
+            "marker": {"symbol": symbols[name], "size": _SYMBOL},
             "hovertemplate": hover,
             "customdata": _points(periods, errors),
         }
-        traces.append(line(list(periods), list(errors), color=color, width=3) | properties)
-        notes.append(note(name, color, np.log10(periods[point]), np.log10(max(errors[point], 1e-17))) | place)
-    lost = _("half a turn: phase lost")
-    traces.append(level_line([periods[0], periods[-1]], np.pi, lost, colors))
-    notes.append(note(lost, colors["ink"], np.log10(periods[0]), np.log10(np.pi)) | above | {"xanchor": "left"})
-    x_range = float(np.log10(periods[0])), float(np.log10(periods[-1]))
+        traces.append(line(list(periods), list(errors), **look) | properties)
+    line_ends = {name: (periods[-1], max(errors[-1], limits[0])) for name, errors in curves.items()}
+    leaders, names = _name_lines(line_ends, chosen, periods[-1], limits, symbols, colors, leader=1.0)
+    traces += leaders
+    lost = _("phase lost")
+    traces.append(level_line([periods[0], periods[-1]], 1.0, lost, colors))
+    # An error of 1 rad is a sixth of a turn. No error is larger than half a turn.
+    edges = {"xref": "paper", "x0": 0, "x1": 1, "y0": 1.0, "y1": limits[1], "line": {"width": 0}}
+    band = {"type": "rect", **edges, "fillcolor": colors["top"], "opacity": 0.2, "layer": "below"}
+    place = {"xanchor": "left", "yanchor": "bottom", "xshift": 6, "yshift": 2}
+    words = _("above 1 rad: the clock is meaningless")
+    notes = [note(f"<b>{words}</b>", colors["top_ink"], np.log10(periods[0]), 0.0) | place]
+    x_range = float(np.log10(periods[0])), float(np.log10(periods[-1])) + 1.1
     x_axis = axis(_("periods"), x_range, type="log", dtick=3)
-    y_axis = log_axis(_("phase error [rad]"), (1e-17, 1e3), decades=3)
-    return build_figure(traces, colors, 288, margin=_MARGIN, annotations=notes, xaxis=x_axis, yaxis=y_axis)
+    y_axis = log_axis(_("phase error [rad]"), limits, decades=3)
+    return build_figure(
+        traces, colors, 320, margin=_MARGIN, annotations=notes, shapes=[band], xaxis=x_axis, yaxis=y_axis, yaxis2=names
+    )
 
 
 def _points(x: Iterable[float], y: Iterable[float]) -> list[list[str]]:

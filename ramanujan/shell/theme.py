@@ -5,8 +5,6 @@ from functools import cache
 import streamlit as st
 from plotly.colors import find_intermediate_color, hex_to_rgb, label_rgb
 
-from ramanujan.physics.integrators import METHODS
-
 BODY_COLORS = {"block": "gray", "hoop": "orange", "cylinder": "blue", "slab": "green", "spring": "violet", "top": "red"}
 """Body → Streamlit's name of its colour. Markdown contains :orange[…], and the stage var(--st-orange-color)."""
 
@@ -28,7 +26,7 @@ def current() -> str:
 
 
 def colors() -> dict[str, str]:
-    """Return the theme's colours by use: ink, paper, faint, primary, method_0 …, and each body with its ink."""
+    """Return the theme's colours by use: ink, paper, faint, primary, and each body with its ink."""
     return _colors(current())
 
 
@@ -37,11 +35,9 @@ def _colors(theme: str) -> dict[str, str]:
     # Cached, because a call of `st.get_option` takes 0.1 ms and a page reads all options several times in a run.
     # A test that runs in another folder finds no .streamlit/config.toml.
     fallback = {"paper": "rgba(0,0,0,0)", "faint": "rgba(128,128,128,0.3)"}
-    bodies = {
+    return {
         use: st.get_option(f"theme.{theme}.{option}") or fallback.get(use, _GRAY) for use, option in _OPTIONS.items()
     }
-    methods = st.get_option(f"theme.{theme}.chartCategoricalColors") or [_GRAY] * len(METHODS)
-    return bodies | {f"method_{n}": color for n, color in enumerate(methods)}
 
 
 @cache

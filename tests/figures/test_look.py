@@ -1,4 +1,4 @@
-"""Readable and distinct colours of texts, bodies and methods, and the icons in the font."""
+"""Readable and distinct colours of texts and bodies, and the icons in the font."""
 
 import re
 import warnings
@@ -9,7 +9,6 @@ import pytest
 from daltonlens import convert, simulate
 from fontTools.ttLib import TTFont
 
-from ramanujan.physics.integrators import METHODS
 from ramanujan.shell.menu import PAGES
 from ramanujan.shell.theme import BODY_COLORS
 from tests.checks.bare import THEME
@@ -63,17 +62,6 @@ def test_the_colours_of_bodies_differ_for_colour_blind_readers(theme, kind, defi
     for model in EYES:
         apart = dict(zip(combinations(BODY_COLORS, 2), differences(colors, model, deficiency), strict=True))
         assert min(apart.values()) >= 10, (model, min(apart, key=apart.get))
-
-
-@pytest.mark.parametrize("theme", ["light", "dark"])
-@pytest.mark.parametrize("deficiency", [None, *simulate.Deficiency])
-def test_every_method_has_a_distinct_readable_colour(theme, deficiency):
-    methods = THEME[theme]["chartCategoricalColors"]
-    assert len(methods) == len(METHODS)
-    assert min(contrast(color, THEME[theme]["backgroundColor"]) for color in methods) >= 4.5
-    assert min(min(differences(methods, model, deficiency)) for model in EYES) >= 10
-    bodies = [THEME[theme][f"{color}Color"] for color in BODY_COLORS.values()]
-    assert min(differences([a, b], next(iter(EYES)), None)[0] for a in methods for b in bodies) >= 8
 
 
 def test_the_icon_font_contains_every_icon():

@@ -47,7 +47,10 @@ The message, published at every change; all but the first entry are optional:
     samples      q = φ/φ₀ at equal steps, per_period of them in a period; they replace the exact motion of a machine
                  released at rest
     computed     samples drawn as an outline over the exact motion, with these items:
-                 log, the evaluations and the phase error in turns after each period, as text;
+                 run_name, the method and its steps per period;
+                 evaluations, their number after each period, as text;
+                 turns, the phase error after each period [turns];
+                 within, the largest allowed error [turns];
                  run, the number of the run;
                  screen_period, the duration of a plain-mass period on the screen [s] while a new run is first shown
     slipping     the contact to mark, such as hoop_slab

@@ -1,5 +1,6 @@
 // The comparison of the machine with the plain mass: two clock hands, the arrow of the drift, the sentences below them,
-// and the readouts. Dial and sentences are highlighted when the two are in step.
+// and the readouts. Dial and sentences are highlighted when the two are in step. A computed machine is compared with
+// the exact one instead. It is seen once a period, so the exact hand is always at the start.
 
 import { fill, fixed, number, withUnit } from "../sentences.js";
 import { TURN } from "./motion.js";
@@ -11,6 +12,7 @@ const VISIBLE = 0.01; // turns, the smallest visible angle between the hands
 const IN_STEP = VISIBLE / 1e6; // turns per period: no visible difference even after a million periods
 const NEARLY = 1 / 400; // turns per period: about a step of the slider of m′ to each side
 const DRIFT_PERIODS = 3; // the arrow spans the angle that the machine's hand gains in this number of periods
+const LEAST_DEGREES = 0.1; // the least angle of a computed machine that is a number in its sentence
 const LONGEST = 0.96, HEAD = 0.045; // turns: the longest arrow, and the head of any but the shortest
 
 /** The drift [turns per period of the plain mass]: what the machine's hand gains on the other, exactly 0 in step. */
@@ -36,6 +38,15 @@ function leadSentence({ phase, plainPhase, periods, solution }) {
   if (Math.abs(distance - whole) < VISIBLE) return fill(WORDS[`meets_${side}`], { turns: fixed(whole, 0) });
   const isInStep = nearness(driftOf(solution)) === "in-step";
   return fill(WORDS[isInStep ? `stays_${side}` : side], { turns: fixed(distance, 2) });
+}
+
+/** Return a sentence about the angle by which the computed machine is ahead: in degrees, or in turns beyond one. */
+function computedSentence(lead) {
+  const turns = Math.abs(lead) / TURN, degrees = 360 * turns;
+  if (degrees < LEAST_DEGREES) return fill(WORDS.computed_agrees, { least: fixed(LEAST_DEGREES, 1) });
+  const unit = turns < 1 ? "degrees" : "turns";
+  const values = { degrees: fixed(degrees, degrees < 10 ? 1 : 0), turns: fixed(turns, 2) };
+  return fill(WORDS[`computed_${unit}_${lead > 0 ? "ahead" : "behind"}`], values);
 }
 
 /** Return the number of periods in which the machine gains or loses one full turn, as text. */
@@ -81,11 +92,21 @@ export function makeDial(root, asked) {
 
   /** Write the sentence about the present angle, and up to the moment of a question the periods that have passed. */
   function writeVerdict(playback) {
+    if (playback.computed) return write(find(".verdict"), computedSentence(playback.computedLead));
     const sentence = leadSentence(playback), done = Math.floor(playback.periods + 1e-9);
     const isCounting = asked && done >= 0 && done <= asked;
     write(find(".verdict"), isCounting ? fill(WORDS.counting, { done, periods: asked, sentence }) : sentence);
     // The sentence about the drift would answer the question before its moment.
     find(".step").toggleAttribute("data-counting", isCounting && done < asked);
+  }
+
+  /** Compare a computed machine with the exact one. A mark shows the allowed error, `within` turns to each side. */
+  function compare({ within }) {
+    find(".key .machine").textContent = WORDS.computed_hand;
+    find(".key .plain").textContent = WORDS.exact_hand;
+    set(find(".dial"), { "aria-label": WORDS.computed_dial });
+    set(find(".allowed"), { "stroke-dasharray": `${2 * within} 1`, transform: `rotate(${-90 - 360 * within})` });
+    explain(WORDS.once_a_period);
   }
 
   /** Replace the sentence about the drift until the drift changes. */
@@ -105,22 +126,22 @@ export function makeDial(root, asked) {
 
   /** Draw the hands at a moment. `writesText`: whether the sentence below them is updated, too. */
   function frame(playback, writesText) {
-    const { phase, plainPhase } = playback;
+    const { computed } = playback, [own, other] = computed ? [playback.computedLead, 0] : playback.hands;
     const degrees = (angle) => ((angle % TURN) * 360) / TURN;
-    const turns = (phase - plainPhase) / TURN, isWhole = Math.abs(turns - Math.round(turns)) < VISIBLE;
+    const turns = (own - other) / TURN, isWhole = !computed && Math.abs(turns - Math.round(turns)) < VISIBLE;
     // Turns by which the machine's hand is ahead. A whole number, slightly missed, would be drawn as a full circle.
     const lead = isWhole ? 0 : turns % 1;
     put(find, {
-      ".hand.machine": { transform: `rotate(${degrees(phase)})` },
-      ".dial .drift": { transform: `rotate(${degrees(phase)})` },
-      ".hand.plain": { transform: `rotate(${degrees(plainPhase)})` },
+      ".hand.machine": { transform: `rotate(${degrees(own)})` },
+      ".dial .drift": { transform: `rotate(${degrees(own)})` },
+      ".hand.plain": { transform: `rotate(${degrees(other)})` },
       ".lead": {
-        transform: `rotate(${degrees(lead > 0 ? plainPhase : phase) - 90})`,
+        transform: `rotate(${degrees(lead > 0 ? other : own) - 90})`,
         "stroke-dasharray": `${Math.abs(lead)} 1`,
       },
     });
     if (writesText) writeVerdict(playback);
   }
 
-  return { machine, explain, frame };
+  return { machine, compare, explain, frame };
 }

@@ -83,7 +83,9 @@ export function makePicture(root, { compact, dials, narrow, limits, label, rest_
     const [left, right, top] = rollerWords(parameters);
     set(find(".picture"), { role: "img", "aria-label": fill(WORDS.picture, { left, right, top }) });
     find(".computed").replaceChildren(...(data.computed ? [copyMachine({ ...parameters, ...playback.now() })] : []));
-    dial.machine(solution, !hides("clocks") && !hides("motion"));
+    dial.machine(solution, !data.computed && !hides("clocks") && !hides("motion"));
+    if (data.computed) dial.compare(data.computed);
+    host.classList.toggle("race", Boolean(data.computed));
     layers.machine(parameters, solution, data, clock.seenFrom);
   }
 
@@ -112,12 +114,12 @@ export function makePicture(root, { compact, dials, narrow, limits, label, rest_
   }
 
   /**
-   * Draw the computed machine, and mark the gap between the left ends of both slabs. Write the evaluations and the
-   * error below the picture.
+   * Draw the computed machine, and mark the gap between the left ends of both slabs. Write the run and its evaluations
+   * below the picture.
    */
   function drawComputed(known, playback, shift) {
-    const { log } = playback.computed, period = Math.min(Math.floor(playback.phase / TURN + 1e-9), log.length - 1);
-    const [evaluations, turns] = log[period];
+    const { run_name: run, evaluations } = playback.computed, periods = evaluations.length - 1;
+    const period = Math.min(Math.floor(playback.phase / TURN + 1e-9), periods);
     const computed = { ...known, ...playback.computedState() };
     put(finder(find(".computed")), positions(computed, place, shift));
     const [from, to] = [known, computed].map((values) => place.slab.left + displacements(values, shift).slab);
@@ -127,7 +129,7 @@ export function makePicture(root, { compact, dials, narrow, limits, label, rest_
       ".gap text": { x: (from + to) / 2, y: height - 5 },
     });
     find(".gap text").textContent = fill(WORDS.gap, { gap: withUnit(fixed(Math.abs(to - from), 1), "cm") });
-    find(".label").textContent = fill(WORDS.counted, { period, periods: log.length - 1, evaluations, turns });
+    find(".label").textContent = fill(WORDS.counted, { run, period, periods, evaluations: evaluations[period] });
   }
 
   return {

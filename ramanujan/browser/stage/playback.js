@@ -2,7 +2,7 @@
 // page.
 
 import { FORMULAS } from "./formulas.js";
-import { TURN, mapValues, sampleAt, stateAt } from "./motion.js";
+import { TURN, between, clamp, mapValues, sampleAt, stateAt } from "./motion.js";
 
 const SMOOTHING = 0.07; // s, the time in which a change of parameters fades into the picture
 const SCAN = TURN / 240; // step of the phase when searching for the end of the motion
@@ -54,6 +54,11 @@ export class Playback {
   /** The state of the computed machine, if there is one. */
   computedState() {
     return this.computed && stateAt(this.solution, this.phase, this.time, sampleAt(this.computed, this.phase));
+  }
+
+  /** The angle by which the computed machine is ahead at the ends of the periods, interpolated between them [rad]. */
+  get computedLead() {
+    return TURN * between(this.computed.turns, clamp(this.phase / this.end, 0, 1));
   }
 
   /** The present state. */

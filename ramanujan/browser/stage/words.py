@@ -54,10 +54,20 @@ SENTENCES = {
     "no_sound": _("This browser plays no sound here."),
     "same_drift_k": _("k makes both {factor} times as fast, so the drift stays the same."),
     "same_drift_m": _("m and m′ make both {factor} times as fast, so the drift stays the same."),
-    "counted": _(
-        "Dashed: the computed machine. Period {period} of {periods}: {evaluations} evaluations of the force, {turns} "
-        "of a turn off."
+    # TRANSLATORS: {run} is the name of a method with its number of steps per period.
+    "counted": _("Dashed: {run}. Period {period} of {periods}: {evaluations} evaluations of the force."),
+    "computed_dial": _(
+        "A clock with two hands, seen once a period: the exact hand is at the top, and the computed hand is ahead or "
+        "behind by the phase error. The errors allowed are marked."
     ),
+    "computed_hand": _("computed"),
+    "exact_hand": _("exact"),
+    "computed_agrees": _("Both hands agree to {least}°."),
+    "computed_degrees_ahead": _("The computed machine is {degrees}° ahead."),
+    "computed_degrees_behind": _("The computed machine is {degrees}° behind."),
+    "computed_turns_ahead": _("The computed machine is {turns} turns ahead."),
+    "computed_turns_behind": _("The computed machine is {turns} turns behind."),
+    "once_a_period": _("Seen once a period. Gray band: the error allowed."),
     # TRANSLATORS: the distance between the exact and the computed machine, such as 3.4 cm.
     "gap": _("{gap} apart"),
     "shared": _(

@@ -36,17 +36,24 @@ from ramanujan.text.translation import _
 
 
 class SweepVariable(NamedTuple):
-    """The variable of a sweep: its symbol, and the title of its axis."""
+    """The variable of a sweep: its symbol, the title of its axis, and what is at the ends of the axis."""
 
     symbol: str
     title: str
+    ends: tuple[str, str]
 
 
 SWEEP_VARIABLES = {
     "ratio": SweepVariable(
-        "ε", _("{mass_ratio}, with <i>m</i> = 1 kg and <i>k</i> = 1 N/m").format(mass_ratio=MASS_RATIO)
+        "ε",
+        _("{mass_ratio}, with <i>m</i> = 1 kg and <i>k</i> = 1 N/m").format(mass_ratio=MASS_RATIO),
+        (_("light rollers"), _("heavy rollers")),
     ),
-    "scale": SweepVariable("s", _("scale <i>s</i> = <i>m</i>/kg = <i>m</i>′/kg = <i>k</i>/(N/m)")),
+    "scale": SweepVariable(
+        "s",
+        _("scale <i>s</i> = <i>m</i>/kg = <i>m</i>′/kg = <i>k</i>/(N/m)"),
+        (_("all masses tiny"), _("all masses huge")),
+    ),
 }
 """Name of a sweep → its variable."""
 

@@ -10,6 +10,7 @@ from ramanujan.accuracy.work_precision import PERIODS, STEPS_PER_PERIOD
 from ramanujan.browser import stage
 from ramanujan.browser.containers import container
 from ramanujan.lesson import Attempt
+from ramanujan.lesson.answer_tasks import WITHIN
 from ramanujan.pages.speed import cache, downsampling
 from ramanujan.physics.integrators import METHODS
 from ramanujan.shell import address, sidebar, stages, widgets
@@ -42,10 +43,15 @@ def draw_controls() -> None:
 
 
 def draw_machine() -> None:
-    """Draw the exact machine, and the last run as an outline over it. Before the first run, it is the selected one."""
+    """Draw the exact machine, the last run as an outline over it, and the phase of both on a clock.
+
+    Before the first run, the selected one is drawn.
+    """
     selected = address.current(METHOD), address.current(STEPS)
     method, steps = [selected, *tried_runs()][-1]
     computed = downsampling.stage_payload(cache.run(method, steps))
+    run_name = _("{method}, {steps} steps per period").format(method=METHODS[method].title, steps=steps)
+    computed |= {"run_name": run_name, "within": WITHIN}
     computed |= {"run": st.session_state.get(_RUN, 0), "screen_period": _ANIMATION / PERIODS}
     payload = stage.payload(sidebar.oscillator(), sidebar.compression(), computed=computed)
     with container("observed", "race"):

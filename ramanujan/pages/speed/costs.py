@@ -5,7 +5,6 @@ from collections.abc import Callable, Sequence
 import streamlit as st
 
 from ramanujan.accuracy.work_precision import PERIODS, Run, WorkPrecision, find_cheapest_runs
-from ramanujan.browser.containers import container
 from ramanujan.figures import speed_page as figures
 from ramanujan.pages.speed import cache, challenge, downsampling, verdicts
 from ramanujan.physics.integrators import METHODS
@@ -26,22 +25,13 @@ _COMPLETE = "speed_complete"
 
 def draw_costs() -> Callable[[], None]:
     """Draw the fast part of the section; return a function that measures and draws the diagram."""
-    scale = _("Along both axes, each line is 10 times the one before.")
     if is_projector():
         st.header(_("What accuracy costs"), anchor=False)
-        figure, controls = st.columns([3, 2], gap="medium")
-        controls.markdown(scale)
+        figure, controls = st.columns([2, 1], gap="medium")
     else:
-        # On a phone the diagram is above its controls, on a wide page beside them.
-        row = container("columns", "costs")
-        words, figure, controls = row.container(), row.container(key="place_costs"), row.container()
-        with words:
-            sentences = _(
-                "Each mark is a run of a method, with smaller steps further right. Choose the largest error: the ring "
-                "marks the cheapest run. The dotted line has numbers with 7 digits (float32), the solid lines with 16 "
-                "(float64)."
-            )
-            st.markdown(f"{sentences} {scale}")
+        # On a phone the diagram is above its controls, on a wide page below them.
+        both = st.container(key="costs")
+        figure, controls = both.container(key="place_costs"), both.container(key="cost_controls")
     with controls:
         with st.container(horizontal=True, vertical_alignment="bottom"):
             tolerance = float(widgets.select_slider(TOLERANCE, _("Largest error allowed [turns]"), width=320))
@@ -84,7 +74,7 @@ def draw_diagram(by: str, tolerance: float) -> str:
     """
     curves, closed = cache.diagram(), cache.closed_form()
     ranked = find_cheapest_runs(curves, tolerance, by)
-    sentence = verdicts.recommend_run(ranked, tolerance, by, closed)
+    sentence = verdicts.recommend_run(ranked, tolerance, by)
     marked_runs = {}
     if ranked:
         best = ranked[0]
@@ -102,8 +92,6 @@ def draw_diagram(by: str, tolerance: float) -> str:
             cost=getattr(last, by), error=last.error, symbol="diamond", size=15, color="ink"
         )
         sentence = f"{verdicts.describe_tried_run(last, tolerance)}\n\n{sentence}"
-    else:
-        sentence = " ".join((sentence, _("Each run of your own in *Race* appears in the diagram as ◆.")))
     chosen = METHODS[ranked[0].method].title if ranked else None
     # Lines in float32 differ from those in float64 only at their lower ends. One is enough to see it.
     shown = [curve for curve in curves if curve.dtype == figures.DOUBLE or METHODS[curve.method].title == chosen]
@@ -125,10 +113,16 @@ def draw_diagram(by: str, tolerance: float) -> str:
 def explain_measurement() -> None:
     """Explain the diagram, and offer to repeat the measurement of times."""
     sentence = _(
-        "Each point is the largest error in {periods} periods. If the amplitude more than doubles, the run counts as "
-        "half a turn off. Each time is the median of repeated runs on this server."
+        "Each mark is a run of a method over {periods} periods, with smaller steps further right, and the ring marks "
+        "the cheapest run. Along both axes, each line is 10 times the one before. The dotted line has numbers with 7 "
+        "digits (float32), the solid lines with 16 (float64). Each run of your own in *Race* appears as ◆."
     )
     st.markdown(sentence.format(periods=PERIODS))
+    sentence = _(
+        "The error is the largest one in these periods. If the amplitude more than doubles, the run counts as half a "
+        "turn off. Each time is the median of repeated runs on this server."
+    )
+    st.markdown(f"{sentence} {verdicts.describe_closed_form(cache.closed_form())}")
     st.button(_("Measure again"), key="measure", icon=":material/timer:", on_click=_forget_measurement)
 
 

@@ -26,11 +26,10 @@ class SampledRun:
     ----------
     method, steps, periods : arguments of the integration
     per_period : number of samples in a period
-    q : φ divided by its amplitude at the samples, with the start, shape (periods·per_period + 1,)
+    q : φ divided by the exact amplitude at the samples, with the start, shape (periods·per_period + 1,)
     times : times of the points of the error curves [periods], shape (points,)
     phase, energy : the largest |phase error| [rad] and |energy error| up to each point, shape (points,)
-    turns : the largest |phase error| up to the end of each period [turns], shape (periods + 1,)
-    phase_at_end : the phase error at the end, with its sign [rad]
+    turns : the phase error at the end of each period, with its sign [turns], shape (periods + 1,)
     evaluations : evaluations of the force in the run
     """
 
@@ -43,21 +42,27 @@ class SampledRun:
     phase: np.ndarray
     energy: np.ndarray
     turns: np.ndarray
-    phase_at_end: float
     evaluations: int
+
+    @property
+    def phase_at_end(self) -> float:
+        """The phase error at the end, with its sign [rad]."""
+        return math.tau * float(self.turns[-1])
 
 
 def stage_payload(run: SampledRun) -> dict[str, Any]:
     """Return the motion of a run for the stage. Outside of the stage's range, the slab remains at the edge.
 
-    The entry `log` contains the number of evaluations and the phase error [turns] after each period, as texts.
+    `evaluations` contains the number of evaluations after each period, as text, and `turns` the phase error there.
     """
     q = np.clip(np.nan_to_num(run.q, nan=ROOM), -ROOM, ROOM)
     evaluations = count_evaluations(run.method, run.steps * np.arange(run.periods + 1))
-    log = []
-    for cost, error in zip(evaluations.tolist(), run.turns.tolist(), strict=True):
-        log.append([number(cost, 6), number(error)])
-    return {"per_period": run.per_period, "q": q.astype(float).round(4).tolist(), "log": log}
+    return {
+        "per_period": run.per_period,
+        "q": q.astype(float).round(4).tolist(),
+        "evaluations": [number(cost, 6) for cost in evaluations.tolist()],
+        "turns": np.nan_to_num(run.turns).round(5).tolist(),
+    }
 
 
 def costs(curve: WorkPrecision, by: str) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
@@ -68,24 +73,27 @@ def costs(curve: WorkPrecision, by: str) -> tuple[np.ndarray, np.ndarray, np.nda
 
 def downsample(history: History, steps: int, periods: int) -> SampledRun:
     """Return a run with the number of points that a screen can resolve."""
-    # Take every nth step, where n divides the steps of a period and leaves at most SAMPLES_PER_PERIOD samples.
-    least = math.ceil(steps / SAMPLES_PER_PERIOD)
-    stride = next(n for n in range(least, steps + 1) if steps % n == 0)
+    # A sample may be between two steps. Phase error and amplitude change little there, so these are interpolated.
+    per_period = min(steps, SAMPLES_PER_PERIOD)
+    samples = np.arange(per_period * periods + 1)
+    places, numbers = samples * (steps / per_period), np.arange(history.q.size)
+    phase_error = np.interp(places, numbers, history.phase_error)
+    amplitude = np.interp(places, numbers, np.sqrt(1 + history.energy_error))
+    exact_phase = 2 * np.pi * (samples % per_period) / per_period
     # The points of an error curve have equal ratios, because its axis is logarithmic.
     ends = np.unique(np.rint(np.geomspace(1, steps * periods, CURVE_POINTS)).astype(int))
-    with np.errstate(over="ignore"):
-        q = history.q[::stride].astype(np.float32)
+    with np.errstate(over="ignore", invalid="ignore"):
+        q = (amplitude * np.cos(exact_phase + phase_error)).astype(np.float32)
     phase = np.fmax.accumulate(np.abs(history.phase_error))
     return SampledRun(
         method=history.method,
         steps=steps,
         periods=periods,
-        per_period=steps // stride,
+        per_period=per_period,
         q=q,
         times=(ends / steps).astype(np.float32),
         phase=phase[ends],
         energy=np.fmax.accumulate(np.abs(history.energy_error))[ends],
-        turns=phase[::steps] / (2 * np.pi),
-        phase_at_end=float(history.phase_error[-1]),
+        turns=history.phase_error[::steps] / math.tau,
         evaluations=history.evaluations,
     )

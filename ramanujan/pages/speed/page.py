@@ -14,7 +14,7 @@ from ramanujan.pages.speed.challenge import METHOD, STEPS, TRIES
 from ramanujan.pages.speed.downsampling import SampledRun
 from ramanujan.physics.integrators import METHODS
 from ramanujan.shell import address, display_mode, drawings, sidebar, theme, widgets
-from ramanujan.shell.display_mode import columns, folded, slide
+from ramanujan.shell.display_mode import folded, slide
 from ramanujan.text.numerals import filled
 from ramanujan.text.translation import _
 
@@ -67,34 +67,15 @@ def show() -> None:
 def draw_race() -> None:
     """Draw the computed machine over the exact one, and the growth of its errors."""
     if display_mode.is_projector():
-        with slide("motion", _("Exact and computed")), st.container(key="race"):
+        with slide("motion", _("Exact and computed")):
             st.header(_("Exact and computed"), anchor=False)
-            words, picture = st.columns([2, 3], gap="small")
-            with words:
-                st.markdown(challenge.TASK.text)
-            with picture:
-                challenge.draw_machine()
-            challenge.draw_controls()
-            st.markdown(verdicts.describe_method(METHODS[address.current(METHOD)]))
-            with words:
-                challenge.draw_verdict()
+            draw_game()
         with slide("errors", _("How the errors grow")):
             draw_error_growth()
         return
-    # On a phone the figure is below the game, on a wide page beside it.
-    row = container("columns", "race")
-    words, game, figure, about = row.container(), row.container(key="race"), row.container(), row.container()
-    with words:
-        st.markdown(challenge.TASK.text)
-    with game:
-        challenge.draw_controls()
-        challenge.draw_machine()
-        challenge.draw_verdict()
-    with figure:
-        draw_error_growth()
+    draw_game()
+    draw_error_growth()
     method, steps = address.current(METHOD), address.current(STEPS)
-    with about:
-        st.markdown(verdicts.describe_method(METHODS[method]))
     with display_mode.fold("methods", _("What each of the {count} methods does").format(count=len(METHODS))):
         widgets.table(verdicts.method_table(), "methods")
         st.markdown(verdicts.explain_equal_phases())
@@ -103,13 +84,27 @@ def draw_race() -> None:
         st.markdown(verdicts.describe_stability(METHODS[method], steps))
 
 
+def draw_game() -> None:
+    """Draw the task, its controls, both machines with their clock, and the verdict."""
+    with st.container(key="race"):
+        # On a slide, the verdict replaces the task.
+        if display_mode.is_projector() and challenge.tried_runs():
+            challenge.draw_verdict()
+        else:
+            st.markdown(challenge.TASK.text)
+        challenge.draw_controls()
+        challenge.draw_machine()
+        if not display_mode.is_projector():
+            challenge.draw_verdict()
+
+
 def draw_price() -> None:
     """Draw the cost of accuracy, and that of exactness."""
     with slide("costs", _("What accuracy costs")):
         measure_and_draw = costs.draw_costs()
     fold = None
     if not display_mode.is_projector():
-        fold = display_mode.fold("cheapest", _("The cheapest run of each method"))
+        fold = display_mode.fold("cheapest", _("The cheapest run of each method, and how to read the diagram"))
     folded("arithmetics", _("What exactness costs"), limits.draw_arithmetics)
     measure_and_draw()
     if fold:
@@ -119,31 +114,34 @@ def draw_price() -> None:
 
 
 def draw_limits() -> None:
-    """Draw what becomes of the phase after very many periods, and of Ω² for very large and small masses."""
-    first, second = columns("limits")
-    with first, slide("periods", _("Very many periods")):
-        limits.draw_phase_errors(sidebar.oscillator())
-    with second, slide("forms", _("Very large and small numbers")):
+    """Draw what becomes of Ω² for very large and small masses, and of the phase after very many periods."""
+    with slide("forms", _("Very large and small numbers")):
         forms = limits.draw_forms()
     if not display_mode.is_projector():
-        with display_mode.fold("forms", _("Where each form fails, and the formulas")):
+        with display_mode.fold("forms", _("Where each form fails")):
             limits.list_failures(forms)
+    with slide("periods", _("Very many periods")):
+        limits.draw_phase_errors(sidebar.oscillator())
     solver = _("A general eigen-solver, which does not know this machine")
     folded("solver", solver, limits.explain_solvers, limits.list_zero_modes)
 
 
 def draw_error_growth() -> None:
-    """Draw how an error of all methods grows, with the selected method in front."""
+    """Draw how an error of all methods grows. The selected method stands out once it has run."""
     method, steps = address.current(METHOD), address.current(STEPS)
-    head = st.container(
-        horizontal=True, horizontal_alignment="distribute", vertical_alignment="center", key="growth_head"
-    )
-    with head:
-        st.header(_("How the errors grow"), anchor=False, width="content")
+    has_run = (method, steps) in challenge.tried_runs()
+    # On a phone the figure is between its heading and its words, on a wide page beside both.
+    row = st if display_mode.is_projector() else container("columns", "growth")
+    head, place, words = row.container(), row.container(key="place_growth"), row.container()
+    head.header(_("How the errors grow"), anchor=False)
+    with words:
         error = widgets.segmented_control(ERROR, _("Error"), label_visibility="collapsed")
-    scale = _("Each line up is 10 times the one below.")
-    st.markdown(f"{_EXPLANATIONS[error]} {scale}")
-    place = st.container(key="place_growth")
+        scale = _("Each line up is 10 times the one below.")
+        st.markdown(f"{_EXPLANATIONS[error]} {scale}")
+        if not has_run:
+            st.markdown(_("Which line belongs to your run? Press *Run*, and it stands out."))
+        if not display_mode.is_projector():
+            st.markdown(verdicts.describe_method(METHODS[method]))
     runs = {name: cache.run(name, steps) for name in METHODS}
     curves = {}
     for name, run in runs.items():
@@ -154,7 +152,7 @@ def draw_error_growth() -> None:
     title, ends = _AXES[error]
     figure = figures.draw_error_growth(
         curves,
-        METHODS[method].title,
+        METHODS[method].title if has_run else None,
         title=title,
         limits=ends,
         allowed=WITHIN if error == "phase" else None,

@@ -2,6 +2,7 @@
 
 import math
 from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import dataclass
 from itertools import pairwise
 
 import numpy as np
@@ -11,7 +12,6 @@ from ramanujan.accuracy.extremes import FORMS, INACCURATE, OVERFLOW, RIGHT, WRON
 from ramanujan.accuracy.general_solvers import SOLVERS, EigenSweep
 from ramanujan.accuracy.phase import PhaseErrors
 from ramanujan.accuracy.work_precision import STEPS_PER_PERIOD, ClosedForm, Run
-from ramanujan.figures.speed_page import Part
 from ramanujan.pages.speed.downsampling import SampledRun
 from ramanujan.physics.integrators import METHODS, Method
 from ramanujan.text.numerals import at_least, distinct_from, duration, filled, number, quantity
@@ -21,6 +21,16 @@ _VISIBLE = 0.05
 """Phase error [rad] that is visible between two machines side by side: about a hundredth of a full turn."""
 
 Table = list[tuple[str, ...]]
+
+
+@dataclass(frozen=True)
+class Part:
+    """A part of a form's strip between two exponents of ten, with the verdict on its values, and a label."""
+
+    start: float
+    end: float
+    verdict: str
+    label: str
 
 
 def describe_method(method: Method) -> str:
@@ -130,20 +140,22 @@ def _describe_phase(error: float) -> str:
     return sentence.format(off=off.format(turns=number(turns)), phase=number(abs(error)))
 
 
-def recommend_run(choices: Sequence[Run], tolerance: float, by: str, exact: ClosedForm) -> str:
-    """Name the cheapest run within the tolerance, its cost, and the cost of the closed form.
+def recommend_run(choices: Sequence[Run], tolerance: float, by: str) -> str:
+    """Name the cheapest run within the tolerance, and its cost.
 
     Parameters
     ----------
     choices : the cheapest run of each method and precision, the cheapest of all first
     tolerance : largest error [turns]
     by : kind of cost, "evaluations" or "seconds"
-    exact : the measured closed form
     """
-    cheapest = _recommend(choices[0], tolerance, by) if choices else _none_reaches(tolerance)
+    return _recommend(choices[0], tolerance, by) if choices else _none_reaches(tolerance)
+
+
+def describe_closed_form(exact: ClosedForm) -> str:
+    """State the cost and the error of the closed form."""
     sentence = _("The closed form, one formula for every time, takes {time}, and it is off by {error} of a turn.")
-    closed_form = sentence.format(time=duration(exact.seconds), error=number(exact.error))
-    return f"{cheapest} {closed_form}"
+    return sentence.format(time=duration(exact.seconds), error=number(exact.error))
 
 
 def describe_tried_run(run: Run, tolerance: float) -> str:
@@ -226,12 +238,6 @@ def _describe_range(stretch: Stretch, symbol: str) -> str:
     return template.format(symbol=symbol, first=number(float(stretch.first)), last=number(float(stretch.last)))
 
 
-def describe_strip(sweep: Sweep) -> str:
-    """Return the strip of a form in words, from left to right."""
-    words = ", ".join(_describe_value(sweep, stretch) for stretch in sweep.stretches)
-    return _("{form}: {words}").format(form=FORMS[sweep.form].title, words=words)
-
-
 def strip(sweep: Sweep) -> list[Part]:
     """Return the stretches of a form as parts of its strip in the figure. The axis is logarithmic."""
     stretches = sweep.stretches
@@ -240,7 +246,7 @@ def strip(sweep: Sweep) -> list[Part]:
         Part(
             start=math.log10(stretch.first),
             end=math.log10(end),
-            is_right=stretch.verdict == RIGHT,
+            verdict=stretch.verdict,
             label=_describe_value(sweep, stretch),
         )
         for stretch, end in zip(stretches, ends, strict=True)
@@ -248,21 +254,25 @@ def strip(sweep: Sweep) -> list[Part]:
 
 
 _RETURNS = {
-    # TRANSLATORS: what a formula returns. Such phrases are joined by commas, after the name of the formula and a colon.
+    # TRANSLATORS: what a formula returns: a right value, or wrongly 0, ∞, NaN or another number.
     RIGHT: _("right to {digits} digits"),
-    ZERO: _("{value}: wrong").format(value=0),
-    OVERFLOW: _("∞ or NaN"),
-    WRONG: _("{value}: wrong"),
+    ZERO: _("gives {value}"),
+    OVERFLOW: _("gives {value}"),
+    WRONG: _("gives {value}"),
     INACCURATE: _("loses digits"),
 }
 """Verdict → description of the returned value."""
 
 
 def _describe_value(sweep: Sweep, stretch: Stretch) -> str:
-    """Describe the values of a form in a stretch; the median represents wrong values."""
+    """Describe the values of a form in a stretch. Of numbers, the median is named."""
     values = sweep.value[(sweep.x >= stretch.first) & (sweep.x <= stretch.last)]
-    median = number(float(np.median(values)), 4) if stretch.verdict == WRONG else ""
-    return _RETURNS[stretch.verdict].format(value=median, digits=count_digits(sweep.worst_right_ulp, sweep.dtype))
+    if stretch.verdict == OVERFLOW:
+        kinds = {"NaN": np.isnan(values), "∞": np.isinf(values)}
+        returned = " / ".join(kind for kind, is_kind in kinds.items() if is_kind.any())
+    else:
+        returned = number(abs(float(np.median(values))), 4)
+    return _RETURNS[stretch.verdict].format(value=returned, digits=count_digits(sweep.worst_right_ulp, sweep.dtype))
 
 
 def count_digits(ulp: float, dtype: str) -> int:

@@ -1,5 +1,6 @@
 """Page 5 in a browser: a computed machine over the exact one, the measured diagram, the layout."""
 
+import math
 import re
 
 import pytest
@@ -15,7 +16,7 @@ def test_a_run_is_drawn_no_control_is_cut_and_the_diagram_is_measured(visit):
     run, label = page.locator(".st-key-run button"), page.locator(".st-key-stage_race .label")
     result = page.locator(".st-key-race_result p").first
     places = "['race', 'growth', 'race_result'].map((key) => document.querySelector(`.st-key-${key}`).offsetTop)"
-    height = "document.querySelector('.st-key-columns-race').offsetHeight"
+    height = "document.querySelector('.st-key-race').offsetHeight"
     reserved = page.evaluate(f"[...{places}, {height}]")
     run.click()
     expect(label).to_contain_text("Period 30 of 30: 241 evaluations", timeout=60_000)
@@ -30,6 +31,13 @@ def test_a_run_is_drawn_no_control_is_cut_and_the_diagram_is_measured(visit):
     gap = page.locator(".st-key-stage_race .gap text").text_content()
     assert gap == f"{abs(computed - exact):.1f}\u202fcm apart"
     assert (exact, computed) == (pytest.approx(8), pytest.approx(8 + (q - 1) * 14 / 13 * 4, abs=1e-3))
+    # Seen after whole periods, the exact hand is at the start, and the computed one is ahead by the phase error.
+    lead = math.degrees(error_history("velocity_verlet", 8, 30).phase_error[-1])
+    hand = page.locator(".st-key-stage_race .hand.machine").get_attribute("transform")
+    assert float(hand.removeprefix("rotate(").removesuffix(")")) == pytest.approx(lead, abs=0.01)
+    assert page.locator(".st-key-stage_race .hand.plain").get_attribute("transform") == "rotate(0)"
+    dial = page.locator(".st-key-stage_race .verdict")
+    assert dial.text_content() == f"The computed machine is {lead:.0f}° ahead."
     # Without reduced motion, the run is shown before its verdict.
     page.emulate_media(reduced_motion="no-preference")
     run.click()
