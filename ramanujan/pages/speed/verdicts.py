@@ -269,7 +269,7 @@ def _describe_value(sweep: Sweep, stretch: Stretch) -> str:
     values = sweep.value[(sweep.x >= stretch.first) & (sweep.x <= stretch.last)]
     if stretch.verdict == OVERFLOW:
         kinds = {"NaN": np.isnan(values), "∞": np.isinf(values)}
-        returned = " / ".join(kind for kind, is_kind in kinds.items() if is_kind.any())
+        returned = "/".join(kind for kind, is_kind in kinds.items() if is_kind.any())
     else:
         returned = number(abs(float(np.median(values))), 4)
     return _RETURNS[stretch.verdict].format(value=returned, digits=count_digits(sweep.worst_right_ulp, sweep.dtype))
