@@ -204,16 +204,18 @@ export function bodyNames(parameters) {
 }
 
 /**
- * The floor, and the bench behind the machine on which the plain mass slides. The floor extends beyond the view, to the
- * edge of the screen. Both springs begin at the same x, and the plain mass's rest mark is above the slab's.
+ * The floor, and the shelf behind the machine on which the plain mass slides. The floor extends beyond the view, to the
+ * edge of the screen. Both springs begin at the same x, and the plain mass's rest mark is above the slab's. The shelf
+ * has a leg only beside the machine: through the bodies, one behind them would look like the end of the lower spring.
  */
 export function scenery({ floor: [from, to], slab, travel, shelf, riser }) {
-  const wide = 10, high = 6.5, end = slab.right, post = 1.4, left = -6;
+  const wide = 10, high = 6.5, end = slab.right, post = 1.4, left = -6, brace = 6;
   return {
     ".earth": { d: `M${from} 0H${to}V2.2H${from}z` },
     ".ground": { d: `M${from} 0H${to}` },
     ".bench": {
-      d: `M${left} 0V${-shelf}H${riser}V${-shelf - high - 3}h${post}V0h${-post}V${post - shelf}H${left + post}V0z`,
+      d: `M${left} 0V${-shelf}H${riser}V${-shelf - high - 3}h${post}V${post - shelf}` +
+        `H${left + post + brace}l${-brace} ${brace}V0z`,
     },
     ".plain .rest": { d: `M${end} ${-shelf}v${-high - 2}` },
     ".plain .form": { x: end - wide, y: -shelf - high, width: wide, height: high },
