@@ -74,20 +74,20 @@ const SHORTEST = 0.05; // the shortest arrow that is drawn
 /** The largest length of an arrow's head, in proportion to a roller, so that it never covers the letter on it. */
 export const headOf = (R) => clamp(0.28 * R, 1.4, 2.8);
 
-/**
- * A velocity: a slender arrow with an open head. Its length is signed; the head is never longer than the arrow or
- * `longestHead`.
- */
+/** The signed length of an arrow's head: at most half of the arrow, because a head alone looks like a wedge. */
+const headLength = (length, longest) => Math.sign(length) * Math.min(Math.abs(length) / 2, longest);
+
+/** A velocity: a slender arrow with an open head. Its length is signed. */
 export function velocityArrow(x, y, length, longestHead) {
   if (Math.abs(length) < SHORTEST) return "";
-  const head = Math.sign(length) * Math.min(Math.abs(length), longestHead);
+  const head = headLength(length, longestHead);
   return `M${x} ${-y}h${length}m${-head} ${-0.6 * head}l${head} ${0.6 * head}l${-head} ${0.6 * head}`;
 }
 
 /** A force: a broad, filled arrow. Its length is signed, and its head is like that of a velocity. */
 export function forceArrow(x, y, length, longestHead) {
   if (Math.abs(length) < SHORTEST) return "";
-  const head = Math.sign(length) * Math.min(Math.abs(length), longestHead), shaft = length - head;
+  const head = headLength(length, longestHead), shaft = length - head;
   const [thick, wide] = [0.2 * head, 0.5 * head];
   const upper = [[0, thick], [shaft, thick], [shaft, wide], [length, 0]];
   const corners = [...upper, [shaft, -wide], [shaft, -thick], [0, -thick]];
