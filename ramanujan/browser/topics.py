@@ -16,6 +16,7 @@ The topics of the bus, where NAME is the name of a stage, CLOCK of a clock, and 
     announce          {sentence, urgent}: a sentence for the page's live region
     turned            the new stop of a lesson
     step              the number of the step that a lecture shows
+    slide             the name of the slide that the projector shows
     slides            {has(by)}: has(by) returns whether the projector has a slide `by` slides after the present one
 """
 

@@ -28,7 +28,7 @@ Constant data, sent once:
     limits          compression: smallest and largest x₀ of a drag [m]; equal limits fix the slab
     watch           slider key → {parameter, scale, step}; value times scale is the parameter in SI units
     clock           name of the clock; stages with the same clock run and pause together
-    layers          the members of `LAYERS` that are shown first
+    layers          the members of `LAYERS` that are shown until a person chooses others
     compact         whether only the picture and its label are shown, without controls
     dials           whether the two clock hands, their drift and the readouts are shown
     narrow          whether these are below the picture
@@ -57,6 +57,8 @@ The message, published at every change; all but the first entry are optional:
     forces       the contacts, or spring, whose forces are drawn strongly; all forces have letters
     velocities   whether the velocities are drawn without their scale, with or without their layer
     hide         the hidden parts, members of `PARTS`
+    views        name of a slide, or "" in the normal view → {layers, from}, which are valid while it is shown: layers
+                 replace those of the constant data, displacements are relative to the ground or the block
     releases     a number; another number sets both hands to the start
 
 Other parts of the page communicate with a stage through the topics of the bus, listed in
@@ -105,6 +107,7 @@ def payload(
     slipping: str | None = None,
     forces: tuple[str, ...] | None = None,
     velocities: bool | None = None,
+    views: Mapping[str, Mapping[str, Any]] | None = None,
 ) -> dict[str, Any]:
     """Return the message published at every change, without `hide` and `releases`.
 
@@ -121,6 +124,7 @@ def payload(
     forces : the contacts, or "spring", whose forces are drawn strongly; the others are drawn faintly. All forces then
         have letters, with or without the layer of forces.
     velocities : whether the velocities are drawn without their scale, with or without their layer
+    views : slide, or "" in the normal view → its layers, until a person chooses others, and its frame of reference
     """
     shapes = {f"beta_{name}": float(shape_factors[name]) for name in SHAPE_FACTORS}
     optional: dict[str, Any] = {
@@ -130,6 +134,7 @@ def payload(
         "slipping": slipping,
         "forces": forces,
         "velocities": velocities,
+        "views": views,
     }
     return {
         "parameters": {**asdict(oscillator), "compression": compression, **shapes},
@@ -202,7 +207,7 @@ def settings(
     watch : slider key → parameter, scale and step; the page follows these sliders without the server
     name : name of the stage on the bus, unique in the app; default: the key
     clock : name of the clock, shared by stages that run together; default: a clock for this stage
-    layers : members of `LAYERS` that are shown first
+    layers : members of `LAYERS` that are shown until a person chooses others
     compact : show only the picture and its label, without controls
     dials : show the two clock hands, their drift and the readouts beside the picture
     narrow : show these below the picture

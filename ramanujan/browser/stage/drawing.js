@@ -84,6 +84,12 @@ export function velocityArrow(x, y, length, longestHead) {
   return `M${x} ${-y}h${length}m${-head} ${-0.6 * head}l${head} ${0.6 * head}l${-head} ${0.6 * head}`;
 }
 
+/** A displacement: a slender arrow with a filled head, and with a tick where the body was before the compression. */
+export function displacementArrow(x, y, length, longestHead) {
+  const tick = `M${x} ${-y - 1.8}v3.6`, head = headLength(length, longestHead);
+  return `${tick}M${x} ${-y}h${length - head}v${-head / 2}l${head} ${head / 2}l${-head} ${head / 2}v${-head / 2}`;
+}
+
 /** A force: a broad, filled arrow. Its length is signed, and its head is like that of a velocity. */
 export function forceArrow(x, y, length, longestHead) {
   if (Math.abs(length) < SHORTEST) return "";

@@ -10,12 +10,15 @@ const PAUSE = 150; // ms from the last change until the address is written, beca
 const SPEEDS = [1, 0.5, 0.1];
 const owners = new Map(); // page and prefix → the clock to which the address belongs
 
+/** The names of layers, as in the address. */
+export const listLayers = (names) => [...names].sort().join() || "none";
+
 /**
  * Return the object that stores the view of one stage. `address_prefix` is the prefix of its names in the address.
  * After a change, `send` is called with the view, which `VIEW` in __init__.py describes.
  */
 export function makeKeeper(stage, options, send, signal) {
-  const { clock: name, address_prefix: prefix, layers: defaultLayers, compact } = options;
+  const { clock: name, address_prefix: prefix, compact } = options;
   // The address belongs to the newest clock with this prefix. At the next stop of a lesson, a new clock ignores the
   // settings that the clock before it has written.
   const place = `${location.pathname} ${prefix}`, isOwner = (owners.get(place) ?? name) === name;
@@ -26,15 +29,14 @@ export function makeKeeper(stage, options, send, signal) {
   owners.set(place, name);
 
   function write() {
-    const join = (names) => [...names].sort().join() || "none";
-    const { clock } = stage, layers = join(stage.layers);
+    const { clock } = stage, layers = listLayers(stage.layers);
     const turns = stages().flatMap(({ playback }) => playback.hands).map((angle) => Number((angle / TURN).toFixed(6)));
     const { seenFrom: from, speed, playing } = clock, pace = playing ? stage.pace() : 0;
     const rates = stages().flatMap(({ playback }) => playback.frequencies).map((each) => (pace * each) / TURN);
     send({ layers, from, speed, rates: rates.join(), turns: turns.join() });
     // Name, value and default of each setting in the address.
     const view = [["speed", speed, 1], ["from", from, "ground"], ["paused", playing ? "" : turns.join(), ""]];
-    if (!compact) view.push(["layers", layers, join(defaultLayers)]);
+    if (!compact) view.push(["layers", layers, listLayers(stage.defaultLayers())]);
     if (isWriting) address.writeSettings(view.map(([key, ...values]) => [prefix + key, ...values]));
   }
 

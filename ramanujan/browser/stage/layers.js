@@ -1,11 +1,11 @@
-// The layers with a tick box: energy bars by body, velocity arrows, horizontal forces, traces of the rims, coordinates.
-// Lengths are centimetres of the picture.
+// The layers with a tick box: energy bars by body, displacements, velocity arrows, horizontal forces, traces of the
+// rims, coordinates. Lengths are centimetres of the picture.
 
 import { fill, fixed, number, withUnit } from "../sentences.js";
 import { drawCoordinates } from "./coordinates.js";
 import {
-  BODIES, CM, CONTACTS, ROLLERS, anchors, bodyNames, displacements, forceArrow, frameValue, headOf, horizontalForces,
-  rimTrace, roundBelow, velocityArrow,
+  BODIES, CM, CONTACTS, ROLLERS, anchors, bodyNames, displacementArrow, displacements, forceArrow, frameValue, headOf,
+  horizontalForces, rimTrace, roundBelow, velocityArrow,
 } from "./drawing.js";
 import { FORMULAS } from "./formulas.js";
 import { mapValues, onePeriod } from "./motion.js";
@@ -28,7 +28,7 @@ export function makeLayers(root) {
   // `place` is the geometry from `layout`. `maxima` has the largest value of each kind of arrow, and `unitLengths` the
   // length of an arrow of one unit [cm]. `measure` determines maxima and unit lengths when a layer first needs them.
   let shown = new Set(), place = null, maxima, unitLengths, data = {}, seenFrom = "ground", measure = null;
-  let isLayered = false;
+  let isLayered = false, displacedFrom; // the reference frame of the displacements, if it is not that of the view
 
   const [bars, names, shares] = [".bar i", ".legend span", ".legend b"].map((each) => [...root.querySelectorAll(each)]);
   const lines = {}; // layer and name → the function that sets the line's path
@@ -52,7 +52,7 @@ export function makeLayers(root) {
 
   function machine(parameters, solution, newData, from) {
     [data, seenFrom] = [newData, from];
-    show(shown);
+    show(shown, displacedFrom);
     // Sample a period only when a layer first needs it.
     measure = () => {
       findScales(onePeriod(parameters, solution, PERIOD_POINTS));
@@ -102,11 +102,21 @@ export function makeLayers(root) {
     if (isLayered || seenFrom === "block") measure?.();
     const origin = frameValue(FORMULAS.displacement, known, seenFrom);
     if (shown.has("traces")) set(find(".traces"), { transform: `translate(${(origin - shift) * CM})` });
+    if (shown.has("displacements")) drawDisplacements(known, shift);
     if (shown.has("arrows") || data.velocities) drawArrows(known, shift);
     if (seenFrom === "block") drawRolling(known, shift);
     if (shown.has("forces") || data.forces) drawForces(known, shift);
     if (shown.has("coordinates")) drawCoordinates(find(".coordinates"), known, place, shift);
     if (shown.has("energy")) drawEnergy(known, writesText);
+  }
+
+  /** Draw arrows to scale from the places before the compression. Relative to the block, these move with it. */
+  function drawDisplacements(known, shift) {
+    const displaced = displacements(known, shift);
+    const start = (frameValue(FORMULAS.displacement, known, displacedFrom ?? seenFrom) - shift) * CM;
+    for (const [name, [x, y]] of Object.entries(anchors(place))) {
+      draw("displacements", name, name, displacementArrow(x + start, y, displaced[name] - start, headOf(place.R)));
+    }
   }
 
   function drawArrows(known, shift) {
@@ -173,8 +183,8 @@ export function makeLayers(root) {
     });
   }
 
-  function show(names) {
-    shown = names;
+  function show(names, newDisplacedFrom) {
+    [shown, displacedFrom] = [names, newDisplacedFrom];
     for (const name of layers) {
       for (const node of [find(`.${name}`), find(`[data-of=${name}]`)]) setVisible(node, shown.has(name));
     }
@@ -185,7 +195,8 @@ export function makeLayers(root) {
     find(".machine").classList.toggle("from-block", seenFrom === "block");
     setVisible(find(".speed"), shown.has("arrows") || seenFrom === "block");
     const hasForces = Boolean(data.forces) || shown.has("forces");
-    const hasArrowsAtCentres = ["arrows", "coordinates"].some((name) => shown.has(name)) || seenFrom === "block";
+    const atCentres = ["displacements", "arrows", "coordinates"];
+    const hasArrowsAtCentres = atCentres.some((name) => shown.has(name)) || seenFrom === "block";
     find(".machine").classList.toggle("with-forces", hasForces);
     find(".machine").classList.toggle("centred", hasForces && !data.forces && !hasArrowsAtCentres);
     isLayered = data.forces || data.velocities || [...shown].some((name) => name !== "energy");

@@ -7,7 +7,7 @@ import { VISIBLE_PERIOD, joinClock, wake } from "./clock.js";
 import { followStage } from "./follow.js";
 import { FORMULAS } from "./formulas.js";
 import { TURN, exposures, solve } from "./motion.js";
-import { makeKeeper } from "./keeper.js";
+import { listLayers, makeKeeper } from "./keeper.js";
 import { makeListener } from "./listen.js";
 import { makeParts } from "./parts.js";
 import { makePicture } from "./picture.js";
@@ -33,6 +33,8 @@ const arrivals = new WeakMap(); // view of a class's desk → time of its arriva
 
 class Stage {
   data; // the last message of `publish` in __init__.py
+  layers; // the layers shown
+  chosenLayers = null; // the layers that a person or a class's desk has chosen, if any
   parameters; // of the drawn machine: those in the message, with the visitor's changes
   solution; // the motion of the drawn machine, from `solve`
   shapes; // the radius and the shapes in the drawn geometry
@@ -46,7 +48,7 @@ class Stage {
     const root = component.parentElement;
     const { stage, watch, clock, layers, compact, dials, limits, periods, rest_after: restAfter } = options;
     Object.assign(this, { root, name: stage, clockName: clock, limits: limits.compression });
-    Object.assign(this, { compact, dials, periods, restAngle: (restAfter ?? NaN) * TURN });
+    Object.assign(this, { compact, dials, periods, restAngle: (restAfter ?? NaN) * TURN, firstLayers: layers });
     this.layers = new Set(layers);
     this.host = root.querySelector(".stage");
     this.scrubber = root.querySelector(".scrub input");
@@ -76,6 +78,7 @@ class Stage {
     bus.subscribe(`story/${stage}`, (screenPeriod) => this.setScreenPeriod(screenPeriod), { signal });
     bus.subscribe(`machine/${stage}`, (payload) => this.receive(payload), { signal });
     bus.subscribe(`view/${clock}`, (view) => this.follow(view), { signal });
+    bus.subscribe("slide", () => this.data && this.showLayers(), { signal });
   }
 
   // ---- data from Python, and changes
@@ -97,9 +100,9 @@ class Stage {
     if (isNewRun) this.race(this.reducedMotion.matches ? null : computed.screen_period);
     if (data.slipping && data.slipping !== before?.slipping) this.voice.announce(WORDS.slips[data.slipping]);
     if (!this.parts.hides("motion")) this.keeper.send();
+    if (!before) this.chosenLayers = this.keeper.layers();
+    this.showLayers();
     if (before) return;
-    this.layers = new Set(this.keeper.layers() ?? this.layers);
-    this.picture.show(this.layers);
     this.pauseAt(this.keeper.paused());
     this.applyMotionPreference();
     this.follow(bus.last(`view/${this.clockName}`), { begins: true });
@@ -125,7 +128,8 @@ class Stage {
     const untilRest = (this.restAngle / TURN - turns[1]) / rates[1];
     const rests = untilRest > 0 && elapsed >= untilRest, passed = rests ? untilRest : elapsed;
     Object.assign(this.clock, { speed, seenFrom: from });
-    this.picture.show((this.layers = new Set(layers.split(","))));
+    this.chosenLayers = layers.split(",");
+    this.showLayers();
     this.change(() => this.pauseAt(turns.map((turn, i) => (turn + rates[i] * passed) * TURN)));
     this.clock.playing = rates[0] > 0 && !rests && !this.reducedMotion.matches;
     if (rests) this.playback.plainPhase = this.restAngle;
@@ -352,11 +356,28 @@ class Stage {
     }
   }
 
+  /** The view of the present slide, from the last message. */
+  view() {
+    return this.data?.views?.[bus.last("slide") ?? ""] ?? {};
+  }
+
+  /** The layers that are shown until a person chooses others. */
+  defaultLayers() {
+    return this.view().layers ?? this.firstLayers;
+  }
+
+  showLayers() {
+    this.layers = new Set(this.chosenLayers ?? this.defaultLayers());
+    this.picture.show(this.layers, this.view().from);
+    this.showClock();
+  }
+
+  /** Show or hide a layer, as a person chose. The layers follow the view again when they are its own. */
   layer(name) {
     if (!this.layers.delete(name)) this.layers.add(name);
-    this.picture.show(this.layers);
+    this.chosenLayers = listLayers(this.layers) === listLayers(this.defaultLayers()) ? null : [...this.layers];
+    this.showLayers();
     this.keeper.storeInAddress();
-    this.showClock();
   }
 
   // ---- the display

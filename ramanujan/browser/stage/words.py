@@ -156,6 +156,7 @@ TEXTS = {
 
 LAYERS = {
     "energy": (_("Energy"), _("Energy by body")),
+    "displacements": (_("Displacements"), _("Displacement of each body from its place before the compression")),
     "arrows": (_("Velocities"), _("Velocity arrows")),
     "forces": (_("Forces"), _("Contact forces and spring forces")),
     "traces": (_("Traces"), _("Traces of the rims")),

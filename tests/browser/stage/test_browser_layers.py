@@ -48,6 +48,14 @@ def arrows(layer: str, unit: str, values: Callable[[Picture], dict]) -> Callable
     return compare
 
 
+def displacements(picture: Picture, drawn: dict) -> Pairs:
+    """Return the displacements relative to the ground, to scale."""
+    moved = ground_positions(picture.machine, picture.q)
+    lines = drawn["layers"]["displacements"]["lines"]
+    assert lines.keys() == moved.keys()
+    return {name: (length(lines[name]), float(x) * picture.pixels) for name, x in moved.items()}
+
+
 def velocities(picture: Picture) -> dict[str, float]:
     return ground_velocities(picture.machine, picture.q_dot)
 
@@ -119,6 +127,7 @@ def coordinates(picture: Picture, drawn: dict) -> Pairs:
 
 MARKS: dict[str, Callable[[Picture, dict], Pairs]] = {
     "energy": bars,
+    "displacements": displacements,
     "arrows": arrows("arrows", "m/s", velocities),
     "forces": arrows("forces", "N: spring and friction", forces),
     "traces": traces,
@@ -163,6 +172,19 @@ def check_letters(picture: Picture) -> None:
             assert contact == "spring" or (x - tail) * force[name] > 0, name
 
 
+def check_displacements_from_the_block(picture: Picture) -> None:
+    """Check the displacements beside a graph relative to the block."""
+    machine, compression = Oscillator(1.0, 2.0, 30.0), 0.08
+    data = stage.payload(machine, compression, views={"": {"from": "block"}})
+    picture.show(machine, compression)
+    picture.bare.put(lambda: stage.publish(data, name=picture.name))
+    drawn = picture.at(0.6)
+    lines = drawn["layers"]["displacements"]["lines"]
+    for name, x in relative_positions(machine, picture.q).items():
+        assert length(lines[name]) == pytest.approx(float(x) * picture.pixels, abs=PIXEL), name
+    assert length(lines["block"]) == pytest.approx(0, abs=PIXEL)
+
+
 UNPAINTED = """[...root.querySelectorAll("[data-line] .line, .scales [data-of] path")].filter((path) => {
   path.style.color = "var(--arrow, var(--ink))";
   const { color, stroke, fill } = getComputedStyle(path);
@@ -194,5 +216,6 @@ def test_the_marks_of_every_layer_agree_with_the_core(bare):
                     assert wrong(pairs, 3)
     assert min(longest.values()) > 20 * PIXEL, longest
     check_letters(picture)
+    check_displacements_from_the_block(picture)
     unpainted = sorted(set(picture.find(UNPAINTED)))
     assert not unpainted, f"stage.css needs rules for the lines and reference arrows of {unpainted}."

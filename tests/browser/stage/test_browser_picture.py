@@ -390,7 +390,7 @@ def test_the_floor_is_as_wide_as_its_ruler_and_no_label_is_cut(picture):
 @ANY_ENGINE
 def test_no_letter_is_covered_by_an_arrow_or_another_letter(picture, sample):
     """Check all layers, and the forces alone, at several moments, for the smallest and the largest machine."""
-    everything = "energy", "arrows", "forces", "traces", "coordinates"
+    everything = "energy", "displacements", "arrows", "forces", "traces", "coordinates"
     boxes = f"""() => {{
       // WebKit gives a hidden line the box that it had before.
       const visible = (selector) => [...{STAGE}.querySelectorAll(selector)].filter((node) => node.checkVisibility());
@@ -400,7 +400,7 @@ def test_no_letter_is_covered_by_an_arrow_or_another_letter(picture, sample):
       }}).filter(([, [left, , right]]) => right > left);
       return {{
         letters: named(".moving text, .coordinates text, .scales text, .plain text"),
-        heads: named(".arrows .line, .forces .line, [data-mark=slab_value], [data-mark=x0_value]"),
+        heads: named(":is(.displacements, .arrows, .forces) .line, [data-mark=slab_value], [data-mark=x0_value]"),
         forces: named(".forces .line"),
       }};
     }}"""

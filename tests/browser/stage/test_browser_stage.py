@@ -137,6 +137,39 @@ def test_buttons_layers_and_keys_have_the_same_effects(picture):
     assert not picture.find(opened)
 
 
+def test_the_layers_follow_the_view_and_the_slide_until_a_person_chooses_others(bare):
+    picture = Picture(bare(), layers=("traces",))
+    views = {"": {"layers": ["arrows"]}, "energy": {"layers": ["energy", "arrows"]}}
+
+    def shown() -> list[str]:
+        next_frame(picture.page)
+        boxes = picture.find(
+            "[...root.querySelectorAll('[data-layer]')].map((box) => [box.dataset.layer, box.firstChild.checked])"
+        )
+        for name in ("arrows", "traces"):
+            assert (picture.find(f"root.querySelector('.{name}').style.display") == "") == dict(boxes)[name]
+        return [name for name, is_checked in boxes if is_checked]
+
+    def publish(**more: object) -> None:
+        data = stage.payload(Oscillator(), 0.08, **more)
+        picture.bare.put(lambda: stage.publish(data, name=picture.name))
+
+    assert shown() == ["traces"]
+    publish(views=views)
+    assert shown() == ["arrows"]
+    for slide, expected in (("energy", ["energy", "arrows"]), ("other", ["traces"]), (None, ["arrows"])):
+        picture.page.evaluate("(slide) => bus.publish('slide', slide)", slide)
+        assert shown() == expected
+    toggle = "root.querySelector('[data-layer=traces] input').click()"
+    picture.find(toggle)
+    publish(views={"": {"layers": ["energy"]}})
+    assert shown() == ["arrows", "traces"], "a person's choice stays"
+    publish(views=views)
+    picture.find(toggle)
+    publish(views={"": {"layers": ["energy"]}})
+    assert shown() == ["energy"], "the layers of the view are no choice"
+
+
 @ANY_ENGINE
 def test_reduced_motion_shows_a_described_still_and_the_preference_takes_effect_at_once(bare):
     here = bare()

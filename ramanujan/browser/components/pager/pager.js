@@ -69,6 +69,7 @@ class Pager {
     dom.watchRuns(() => this.update(), signal);
     signal.addEventListener("abort", () => {
       bus.forget("slides");
+      bus.forget("slide");
       delete document.documentElement.dataset.pager;
       applyProjectorStyle(false);
       for (const { node } of this.slides) node.removeAttribute(AWAY);
@@ -109,6 +110,8 @@ class Pager {
     this.now = now;
     this.hasShown ||= now >= 0;
     reveal(now, this.slides);
+    const name = this.slides[now]?.name;
+    if (name !== bus.last("slide")) bus.publish("slide", name);
     this.list.selectedIndex = now;
     // A single slide needs no pager, and a lesson counts its stops itself. Its place stays.
     this.list.parentElement.style.visibility = this.slides.length > 1 ? "" : "hidden";
