@@ -9,6 +9,7 @@ Plotly would produce. A test validates each of them with Plotly.
 """
 
 import base64
+import re
 from collections.abc import Iterable, Mapping, Sequence
 from typing import Any
 
@@ -163,8 +164,8 @@ def marks(x: Any, y: Any, symbol: str, size: float, fill: str, **outline: Any) -
 
 _HEIGHT_BEFORE_GROWTH = 400
 """The largest height of a figure before it grows with the free space of a slide [px]."""
-_TITLE_LENGTH = 16
-"""The number of letters of an axis title that fit beside one of two panels."""
+_TITLE_LENGTH = 18
+"""The number of letters of an axis title that fit beside a panel."""
 _MARGIN_ABOVE, _MARGIN_WITH_WORDS = 24, 54
 """The margin above the panels [px], without and with a line of words.
 
@@ -226,7 +227,7 @@ def _enlarge_axis(axis: dict[str, Any], is_vertical: bool) -> dict[str, Any]:
 
 def _break_title(text: str) -> str:
     """Break a long title once, at the space nearest to its middle."""
-    if len(text) <= _TITLE_LENGTH or "<br>" in text:
+    if len(re.sub("<.*?>", "", text)) <= _TITLE_LENGTH or "<br>" in text:
         return text
     spaces = [index for index, letter in enumerate(text) if letter == " "]
     middle = min(spaces, key=lambda index: abs(index - len(text) / 2), default=None)

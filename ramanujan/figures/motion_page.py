@@ -1,4 +1,4 @@
-"""The figures of the motion page: panels with a common time axis, the phase plane, and the required friction."""
+"""The figures of the motion page: curves over time, the phase plane, and the required friction."""
 
 import math
 import re
@@ -9,17 +9,16 @@ from itertools import groupby
 from typing import Any
 
 import numpy as np
+from plotly.colors import hex_to_rgb
 
 from ramanujan.figures import NO_NAME, EncodedFigure, build_figure, legend, line, note, spread
 from ramanujan.text.numerals import fixed, number
 from ramanujan.text.translation import _
 
-_HEIGHT, _HEIGHT_OF_TWO = 356, 420
-"""The height of one panel, and of two panels with the gap between them [px]."""
+_HEIGHT, _PLANE_HEIGHT = 356, 420
+"""The height of curves over time, and of a phase plane [px]."""
 _FLAT_HEIGHT, _FLATTEST = 244, 2.2
 """The height of a phase plane that is much wider than high [px], and the largest ratio of its width to its height."""
-_GAP = 0.12
-"""The gap between two panels, in fractions of the plotting area."""
 _BELOW = 48
 _ABOVE = 28
 """The margins below and above the plotting area [px]."""
@@ -27,8 +26,8 @@ _LEAST_HEIGHT = 0.07
 """The least height of an area with a name, in fractions of the axis: the letters of a slide."""
 _LEADER = 16
 """The length of the line from the end of a curve to its name [px]."""
-_LINE_HEIGHT = {1: 0.095, 2: 0.11}
-"""Number of panels → the height of a line of a name, in fractions of its panel. A single panel may be on a slide."""
+_LINE_HEIGHT = 0.095
+"""The height of a line of a name on a slide, in fractions of the plotting area."""
 _LONGEST_NAME = 17
 """The largest number of letters of a name in one line."""
 
@@ -59,62 +58,61 @@ class TimeCurve:
 
 @dataclass(frozen=True)
 class Panel:
-    """Curves with a common vertical axis: its title, its unit, its curves and its range."""
+    """Curves with a common vertical axis: its title, its unit, its curves and its range.
+
+    The area from −`limit` to `limit` is shaded. `limit_label` names it in the figure.
+    """
 
     title: str
     unit: str
     curves: Sequence[TimeCurve]
     range: tuple[float, float]
+    limit: TimeCurve | None = None
+    limit_label: str = ""
 
 
-def draw_time_panels(
-    panels: Sequence[Panel], *, period: float, periods: int, colors: Mapping[str, str]
-) -> EncodedFigure:
-    """Draw panels above each other with one time axis that starts at release.
+def draw_panel(panel: Panel, *, period: float, periods: int, colors: Mapping[str, str]) -> EncodedFigure:
+    """Draw curves over a time axis that starts at release.
 
     Each line has its name at its end, and each stacked area in the area or above it.
 
     Parameters
     ----------
-    panels : from top to bottom; every curve has its values at the same n equal steps from 0 to periods · period
+    panel : every curve has its values at the same n equal steps from 0 to periods · period
     period : of the machine [s]; a line marks the end of the first period
     periods : number of periods on the time axis, at least one
     colors : ink, faint and paper
     """
     end = period * periods
-    axes: dict[str, Any] = {}
-    traces: list[dict[str, Any]] = []
-    notes: list[dict[str, Any]] = []
+    traces = [_trace(curve, panel.unit, end) for curve in panel.curves]
+    notes = [_text_above(period, _("one period"), font={"size": 12})]
     shapes = [_vertical_line(period, {"color": colors["ink"], "width": 1, "dash": "dot"}, layer="below")]
-    for place, (panel, domain) in enumerate(zip(panels, _domains(len(panels)), strict=True), start=1):
-        axis = "y" if place == 1 else f"y{place}"
-        traces += [_trace(curve, panel, axis, end, has_several_panels=len(panels) > 1) for curve in panel.curves]
-        title = _("{quantity} [{unit}]").format(quantity=panel.title, unit=panel.unit)
-        axes[f"yaxis{axis[1:]}"] = _axis(title, panel.range, domain=domain, nticks=6, **_zero_line(colors))
-        if panel.curves[0].is_stacked:
-            notes += _name_stack(panel, end, colors)
-            continue
-        names = f"y{len(panels) + place}"
-        leaders, tick_labels = _name_lines(panel, names, _LINE_HEIGHT[len(panels)])
+    title = _("{quantity} [{unit}]").format(quantity=panel.title, unit=panel.unit)
+    axes = {"yaxis": _axis(title, panel.range, nticks=6, **_zero_line(colors))}
+    if panel.curves[0].is_stacked:
+        notes += _name_stack(panel, end, colors)
+    else:
+        leaders, names = _name_lines(panel, "y2")
         shapes += leaders
-        axes[f"yaxis{names[1:]}"] = _axis("", panel.range, domain=domain, overlaying=axis, **tick_labels)
-    notes.append(_text_above(period, _("one period"), font={"size": 12}))
-    hover_title = {"text": "<i>t</i> = %{x:.4~g} s"}
+        axes["yaxis2"] = _axis("", panel.range, overlaying="y", **names)
+    if panel.limit:
+        traces = [*_shade(panel.limit, panel.unit, end), *traces]
+        label = note(panel.limit_label, panel.limit.ink, 0, panel.range[1])
+        notes.append(label | {"xanchor": "left", "xshift": 6, "yanchor": "top", "yshift": -2})
     time_axis = _axis(
-        _("time after release <i>t</i> [s]"), (0, end), anchor="free", position=0, unifiedhovertitle=hover_title
+        _("time after release <i>t</i> [s]"), (0, end), unifiedhovertitle={"text": "<i>t</i> = %{x:.4~g} s"}
     )
     return _lay_out(
         traces,
         colors,
-        height=_HEIGHT if len(panels) == 1 else _HEIGHT_OF_TWO,
+        height=_HEIGHT,
         shapes=shapes,
         annotations=notes,
         meta={"cursor": "time", "period": period, "periods": periods},
         xaxis=time_axis,
         **axes,
-        # One small hover box for all panels hides little of the curves.
+        # One small hover box for all curves hides little of them.
         hovermode="x unified",
-        hoversubplots="axis",
         hoverlabel={"font": {"size": 11}},
     )
 
@@ -157,7 +155,7 @@ def draw_phase_plane(
     return _lay_out(
         traces,
         colors,
-        height=_FLAT_HEIGHT if is_flat(ranges) else _HEIGHT_OF_TWO,
+        height=_FLAT_HEIGHT if is_flat(ranges) else _PLANE_HEIGHT,
         xaxis=_axis(_("displacement [cm]"), displacement_range, **centred),
         yaxis=_axis(_("velocity <i>v</i>/Ω [cm]"), velocity_range, scaleanchor="x", constraintoward="top", **centred),
         hovermode="closest",
@@ -302,7 +300,7 @@ def _in_ink(curve: TimeCurve) -> str:
     return f'<span style="color:{curve.ink}">{"<br>".join(lines).replace("– ", "–")}</span>'
 
 
-def _name_lines(panel: Panel, axis: str, line_height: float) -> tuple[list[dict[str, Any]], dict[str, Any]]:
+def _name_lines(panel: Panel, axis: str) -> tuple[list[dict[str, Any]], dict[str, Any]]:
     """Return a leader from the end of each line to its name, and the names as tick labels of an axis at the right.
 
     Plotly widens the margin for tick labels, but not for annotations. Lines that end at one point have their names in
@@ -312,7 +310,6 @@ def _name_lines(panel: Panel, axis: str, line_height: float) -> tuple[list[dict[
     ----------
     panel : the lines
     axis : of the names
-    line_height : of a name, in fractions of the panel
     """
     low, high = panel.range
     height = high - low
@@ -325,7 +322,7 @@ def _name_lines(panel: Panel, axis: str, line_height: float) -> tuple[list[dict[
     curves = sorted(panel.curves, key=order, reverse=True)
     ends = [float(curve.values[-1]) for curve in curves]
     texts = [_in_ink(curve) for curve in curves]
-    halves = [height * line_height * (text.count("<br>") + 1) / 2 for text in texts]
+    halves = [height * _LINE_HEIGHT * (text.count("<br>") + 1) / 2 for text in texts]
     levels = spread(ends, halves, low, high)
     leader = {"type": "line", "xref": "paper", "xsizemode": "pixel", "xanchor": 1, "x0": 0, "x1": _LEADER, "yref": axis}
     leaders = [
@@ -337,29 +334,23 @@ def _name_lines(panel: Panel, axis: str, line_height: float) -> tuple[list[dict[
     return leaders, names | room_for_leaders
 
 
-def _domains(panels: int) -> list[list[float]]:
-    """Return the vertical domain of each panel, from top to bottom, in fractions of the plotting area."""
-    height = (1 - _GAP * (panels - 1)) / panels
-    domains = []
-    for number_from_below in reversed(range(panels)):
-        low = number_from_below * (height + _GAP)
-        domains.append([low, min(1.0, low + height)])
-    return domains
+def _shade(limit: TimeCurve, unit: str, end: float) -> list[dict[str, Any]]:
+    """Return the traces of the area between −limit and limit, in a light tint of its colour."""
+    red, green, blue = hex_to_rgb(limit.color)
+    upper = _trace(limit, unit, end)
+    lower = upper | {"y": -upper["y"], "hoverinfo": "skip", "hovertemplate": None}
+    return [lower, upper | {"fill": "tonexty", "fillcolor": f"rgba({red},{green},{blue},0.15)"}]
 
 
-def _trace(curve: TimeCurve, panel: Panel, axis: str, end: float, *, has_several_panels: bool) -> dict[str, Any]:
+def _trace(curve: TimeCurve, unit: str, end: float) -> dict[str, Any]:
     # TRANSLATORS: at a curve under the pointer: "hoop: 3.2 cm".
-    hover = _("{name}: {value} {unit}").format(name=curve.name, value="%{y}", unit=panel.unit) + NO_NAME
-    if has_several_panels and curve is panel.curves[0]:
-        # In the common hover box the first curve of each panel adds the panel's title.
-        hover = f"<b>{panel.title}</b><br>{hover}"
+    hover = _("{name}: {value} {unit}").format(name=curve.name, value="%{y}", unit=unit) + NO_NAME
     trace: dict[str, Any] = {
         "type": "scatter",
         # Equal steps need no array of times. Single precision is much finer than a pixel.
         "x0": 0,
         "dx": end / (len(curve.values) - 1),
         "y": curve.values.astype(np.float32),
-        "yaxis": axis,
         "name": curve.label,
         "mode": "lines",
         "line": curve.look,

@@ -10,7 +10,7 @@ import streamlit as st
 
 from ramanujan import Oscillator, drawn_spacing
 from ramanujan.figures import EncodedFigure
-from ramanujan.figures.motion_page import Panel, TimeCurve, draw_phase_plane, draw_time_panels, round_up, step_range
+from ramanujan.figures.motion_page import Panel, TimeCurve, draw_panel, draw_phase_plane, round_up, step_range
 from ramanujan.figures.motion_page import is_flat as is_flat_plane
 from ramanujan.physics.record import Record
 from ramanujan.physics.record import record as take_record
@@ -37,6 +37,8 @@ _CM = 100.0
 """Centimetres in a metre."""
 FRAMES = {"ground": _("relative to the ground"), "block": _("relative to the block")}
 """Frame of reference → its name."""
+FRICTION, NORMAL_FORCE = _("friction"), _("normal force")
+"""The titles of the figures of the contact forces."""
 _LOWER_ROLLERS = _("hoop, lower cylinder")
 """The name of the common curve of these two bodies, which always move together."""
 _ENERGIES = {"": _("{body}"), "translation": _("{body}, translation"), "rotation": _("{body}, rotation")}
@@ -75,33 +77,30 @@ def figures(
     compression: float,
     glide: float,
     spin: float,
-    *,
-    is_split: bool = False,
+    limit: tuple[str, float] | None = None,
 ) -> dict[str, EncodedFigure]:
-    """Return the figures of a view over time in the current theme, each with the titles of its panels.
+    """Return title → figure of a view over time in the current theme.
 
     Parameters
     ----------
     view : a key of `VIEWS`
     light_or_dark : name of the current theme, a key of the cache
     machine, compression, glide, spin : as for `record`
-    is_split : whether each panel is a figure of its own
+    limit : a contact and μ, to draw the limit of its friction
     """
     motion = record(machine, compression, glide, spin)
-    return draw_over_time(view, motion, theme.colors(), is_split=is_split)
+    return draw_over_time(view, motion, theme.colors(), limit)
 
 
 def draw_over_time(
-    view: str, motion: Record, colors: Mapping[str, str], *, is_split: bool = False
+    view: str, motion: Record, colors: Mapping[str, str], limit: tuple[str, float] | None = None
 ) -> dict[str, EncodedFigure]:
     """Draw the figures of a view without the cache; parameters as for `figures`."""
     panels = VIEWS[view](motion, colors)
-    return {
-        ", ".join(panel.title for panel in shown): draw_time_panels(
-            shown, period=motion.oscillator.period, periods=PERIODS, colors=colors
-        )
-        for shown in ([[panel] for panel in panels] if is_split else [panels])
-    }
+    if limit:
+        panels[FRICTION] = _with_limit(panels[FRICTION], motion, *limit)
+    period = motion.oscillator.period
+    return {title: draw_panel(panel, period=period, periods=PERIODS, colors=colors) for title, panel in panels.items()}
 
 
 @st.cache_resource(show_spinner=False, max_entries=64)
@@ -118,13 +117,13 @@ def phase_plane(
     return draw_orbits(frame, motion, theme.colors())
 
 
-def _displacements(motion: Record, colors: Mapping[str, str]) -> list[Panel]:
+def _displacements(motion: Record, colors: Mapping[str, str]) -> dict[str, Panel]:
     """Return the displacements of the bodies relative to the ground and to the block."""
-    panels = []
+    panels = {}
     for frame, title in FRAMES.items():
         positions, _velocities = relative_to(frame, motion)
         centimetres = {body: _CM * x for body, x in positions.items()}
-        panels.append(_panel(title, "cm", _body_curves(centimetres, colors)))
+        panels[title] = _panel(_("to the right"), "cm", _body_curves(centimetres, colors))
     return panels
 
 
@@ -170,7 +169,7 @@ def _ranges(frame: str, motion: Record) -> tuple[tuple[float, float], tuple[floa
     return step_range(displacements), step_range(velocities)
 
 
-def _energy(motion: Record, colors: Mapping[str, str]) -> list[Panel]:
+def _energy(motion: Record, colors: Mapping[str, str]) -> dict[str, Panel]:
     """Return the energies of all bodies by kind as a stack below their constant sum."""
     curves = []
     for key, values in motion.energies.items():
@@ -181,10 +180,10 @@ def _energy(motion: Record, colors: Mapping[str, str]) -> list[Panel]:
     curves.append(TimeCurve(_("total energy"), total, colors["ink"], _("total energy"), width=3, ink=colors["ink"]))
     # Leave a sixth above the total for the names of the periods.
     highest = round_up(float(total[0]) * 7 / 6)
-    return [Panel(_("energy"), "mJ", curves, (0.0, highest))]
+    return {_("energy"): Panel(_("energy"), "mJ", curves, (0.0, highest))}
 
 
-def _momentum(motion: Record, colors: Mapping[str, str]) -> list[Panel]:
+def _momentum(motion: Record, colors: Mapping[str, str]) -> dict[str, Panel]:
     """Return the momentum of each body, which oscillates, and the two conserved momenta, which are constant."""
     curves = _body_curves(motion.body_momenta, colors, width=1.5)
     conserved = {
@@ -193,24 +192,42 @@ def _momentum(motion: Record, colors: Mapping[str, str]) -> list[Panel]:
     }
     for name, (values, color, dash) in conserved.items():
         curves.append(TimeCurve(name, values, colors[color], name, width=4, dash=dash, ink=colors[color]))
-    return [_panel(_("momentum"), "kg·m/s", curves)]
+    return {_("momentum"): _panel(_("momentum"), "kg·m/s", curves)}
 
 
-def _contacts(motion: Record, colors: Mapping[str, str]) -> list[Panel]:
+def _contacts(motion: Record, colors: Mapping[str, str]) -> dict[str, Panel]:
     """Return the horizontal force on each roller at its contacts, and the normal forces there."""
     forces = [_contact_curve(name, values, colors) for name, values in motion.forces.items() if name != "spring"]
     normals = [_contact_curve(name, values, colors) for name, values in motion.normal_forces.items()]
     highest = max(float(curve.values.max()) for curve in normals)
-    return [_panel(_("friction"), "N", forces), Panel(_("normal force"), "N", normals, (0.0, 1.1 * highest))]
+    return {
+        FRICTION: _panel(FRICTION, "N", forces),
+        NORMAL_FORCE: Panel(NORMAL_FORCE, "N", normals, (0.0, 1.1 * highest)),
+    }
 
 
-VIEWS: Mapping[str, Callable[[Record, Mapping[str, str]], list[Panel]]] = {
+def _with_limit(panel: Panel, motion: Record, contact: str, friction_coefficient: float) -> Panel:
+    """Return the panel of friction with the limit of static friction at a contact, whose curve is drawn strongly."""
+    name = CONTACTS[contact]
+    curves = [replace(curve, width=4 if curve.name == name else 1.5) for curve in panel.curves]
+    (curve,) = (curve for curve in curves if curve.name == name)
+    values = friction_coefficient * motion.normal_forces[contact]
+    # TRANSLATORS: the limit of static friction at a contact, such as hoop and slab.
+    limit = replace(curve, name=_("limit μN, {contact}").format(contact=name), values=values, width=1)
+    # A limit far above all forces does not flatten their curves.
+    greatest = max(float(abs(curve.values).max()) for curve in curves)
+    highest = round_up(max(1.3 * greatest, min(float(values.max()), 2 * greatest)))
+    label = _("shaded: no slip")
+    return replace(panel, curves=curves, range=(-highest, highest), limit=limit, limit_label=label)
+
+
+VIEWS: Mapping[str, Callable[[Record, Mapping[str, str]], dict[str, Panel]]] = {
     "displacements": _displacements,
     "energy": _energy,
     "momentum": _momentum,
     "forces": _contacts,
 }
-"""View → function that returns its panels over time."""
+"""View → function that returns its panels over time, by their titles."""
 
 
 def _contact_curve(contact: str, values: np.ndarray, colors: Mapping[str, str]) -> TimeCurve:

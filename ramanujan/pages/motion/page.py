@@ -1,5 +1,6 @@
 """Page 3: the motion over time, its conserved quantities, its zero modes, and the required friction."""
 
+from collections.abc import Mapping
 from contextlib import AbstractContextManager, nullcontext
 from functools import partial
 from typing import Any
@@ -8,6 +9,7 @@ import streamlit as st
 
 from ramanujan.browser import stage
 from ramanujan.browser.components import cursor
+from ramanujan.figures import EncodedFigure
 from ramanujan.pages.motion import cache, plots
 from ramanujan.pages.motion.files import sheet
 from ramanujan.pages.motion.plots import Friction
@@ -26,6 +28,16 @@ FIGURES = {
     "momentum": _("Momentum"),
     "forces": _("Contact forces"),
 }
+# Figure or slide → the layers of the stage that show its quantity.
+LAYERS = {
+    "displacements": ("displacements",),
+    "phase_plane": ("arrows",),
+    "energy": ("energy",),
+    "momentum": ("arrows",),
+    "forces": ("forces",),
+    "friction": ("forces",),
+    "normal_forces": ("forces",),
+}
 FIGURE = address.Choice("figure", FIGURES, "displacements")
 PLANE = address.Choice("plane", cache.FRAMES, "ground")
 URL_PARAMETERS = (GLIDE, SPIN, MU, FIGURE, PLANE)
@@ -39,11 +51,12 @@ def show() -> None:
     with machine_column:
         st.title(_("Motion"), anchor=False)
         if not is_projector:
-            st.markdown(_("What moves how far? Where does the energy go? Which contact slips first?"))
+            with st.container(key="question"):
+                st.markdown(_("What moves how far? Where does the energy go? Which contact slips first?"))
         picture, words = display_mode.picture_and_words(2)
         with picture:
             scene = st.container(key="without_dials")
-        with words:
+        with words, st.container(key="settings"):
             with choose_initial_velocities():
                 glide, spin = widgets.page_slider(GLIDE), widgets.page_slider(SPIN)
                 if not is_projector:
@@ -82,13 +95,27 @@ def draw_machine(motion: Record, friction: Friction) -> None:
     """Draw the machine in motion, without the plain mass, and with a mark at each contact that slips."""
     slipping = friction.first if motion.compression > friction.largest else None
     stages.mount(
-        stage.payload(motion.oscillator, motion.compression, initial=motion.initial, slipping=slipping),
+        stage.payload(
+            motion.oscillator,
+            motion.compression,
+            initial=motion.initial,
+            slipping=slipping,
+            views=stage_views(),
+        ),
         name="motion",
-        layers=("forces",),
+        layers=LAYERS["displacements"],
         dials=False,
         periods=cache.PERIODS,
         hide=("plain",),
     )
+
+
+def stage_views() -> dict[str, dict[str, Any]]:
+    """Return what the stage shows beside the open figure, or beside each slide: the quantity of this figure."""
+    if not display_mode.is_projector():
+        return {"": {"layers": LAYERS[address.current(FIGURE)], "from": address.current(PLANE)}}
+    views = {slide: {"layers": layers} for slide, layers in LAYERS.items()}
+    return views | {"displacements_2": {"layers": LAYERS["displacements"], "from": "block"}}
 
 
 def describe_friction(friction: Friction, compression: float) -> tuple[str, str]:
@@ -121,40 +148,54 @@ def offer_files(motion: Record, mu: float) -> None:
 
 def draw_figures(motion: Record, friction: Friction, setting: cache.ReleaseParameters) -> None:
     """Draw the figures of the open view, or in the projector view a slide for each figure."""
-    draw_functions = {
-        "displacements": plots.draw_displacements,
-        "energy": plots.draw_energy,
-        "momentum": plots.draw_momentum,
-        "forces": plots.draw_contact_forces,
-    }
-    is_projector = display_mode.is_projector()
     # The address keeps the frame of reference while another view is open.
     address.update(PLANE)
-    if is_projector:
+    if display_mode.is_projector():
         containers = dict.fromkeys(FIGURES, nullcontext())
     else:
         containers = {view: tab for view, tab in widgets.tabs(FIGURE).items() if tab.open}
     for view, container in containers.items():
-        has_frames = view == "displacements"
-        figures = cache.figures(view, theme.current(), *setting, is_split=is_projector or has_frames)
+        limit = (friction.first, friction.coefficient) if view == "forces" else None
+        figures = cache.figures(view, theme.current(), *setting, limit)
         with container:
-            if has_frames and not is_projector:
-                # One frame of reference at a time leaves room for large curves with their names.
-                title = cache.FRAMES[choose_frame()]
-                figures = {title: figures[title]}
-            for number, (panels, figure) in enumerate(figures.items(), start=1):
-                name = view if number == 1 else f"{view}_{number}"
-                title = _("{figure}: {panel}").format(figure=FIGURES[view], panel=panels)
-                with slide(name, title if len(figures) > 1 else FIGURES[view], heading=FIGURES[view]):
-                    draw_functions[view](motion, figure, name)
-            if has_frames:
-                draw_phase_plane(motion, setting)
-            if view == "forces":
-                with slide("friction", _("Friction needed"), heading=_("Friction needed")):
-                    plots.draw_required_friction(motion, friction)
-                    if is_projector:
-                        widgets.page_slider(MU)
-                        st.markdown(describe_friction(friction, motion.compression)[0])
+            if view == "displacements":
+                draw_displacements(motion, figures, setting)
+            elif view == "forces":
+                draw_contact_forces(motion, figures, friction)
+            else:
+                draw = {"energy": plots.draw_energy, "momentum": plots.draw_momentum}[view]
+                with slide(view, FIGURES[view], heading=FIGURES[view]):
+                    draw(motion, *figures.values())
+
+
+def draw_displacements(motion: Record, figures: Mapping[str, EncodedFigure], setting: cache.ReleaseParameters) -> None:
+    """Draw the displacements relative to the chosen frame, on slides relative to both, and the phase plane."""
+    heading = FIGURES["displacements"]
+    if display_mode.is_projector():
+        for frame, title in cache.FRAMES.items():
+            name = "displacements" if frame == "ground" else "displacements_2"
+            with slide(name, _("{figure}: {panel}").format(figure=heading, panel=title), heading=heading):
+                plots.draw_displacements(motion, figures[title], name, frame)
+    else:
+        # One frame of reference at a time leaves room for large curves with their names.
+        above = st.container()
+        frame = choose_frame()
+        with above:
+            plots.draw_displacements(motion, figures[cache.FRAMES[frame]], "displacements", frame)
+    draw_phase_plane(motion, setting)
+
+
+def draw_contact_forces(motion: Record, figures: Mapping[str, EncodedFigure], friction: Friction) -> None:
+    """Draw friction and the friction coefficients that it needs, and in a fold the normal forces."""
+    with slide("forces", FIGURES["forces"], heading=FIGURES["forces"]):
+        plots.draw_friction(motion, figures[cache.FRICTION], friction)
+    with slide("friction", _("Friction needed"), heading=_("Friction needed")):
+        plots.draw_required_friction(motion, friction)
+        if display_mode.is_projector():
+            widgets.page_slider(MU)
+            st.markdown(describe_friction(friction, motion.compression)[0])
+    title = _("Normal forces: the weight of the slab shifts between its rollers")
+    folded("normal_forces", title, partial(plots.draw_normal_forces, motion, figures[cache.NORMAL_FORCE]))
 
 
 def choose_frame() -> str:

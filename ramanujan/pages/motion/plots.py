@@ -14,15 +14,12 @@ from ramanujan.physics.contact import required_friction
 from ramanujan.physics.record import Record
 from ramanujan.shell import drawings, theme
 from ramanujan.shell.display_mode import is_projector
-from ramanujan.text.names import PARTS
+from ramanujan.text.names import BODIES, CONTACTS, PARTS
 from ramanujan.text.numerals import filled, fixed, quantity
 from ramanujan.text.translation import _
 
 _CONFIG = {"displaylogo": False}
 """Plotly's options for a figure with all its buttons."""
-
-FIRST_DISPLACEMENTS, FIRST_FORCES = "displacements", "forces"
-"""Names of the figures whose words the next slide does not repeat."""
 
 
 @dataclass(frozen=True)
@@ -51,43 +48,41 @@ def explain_zero_modes() -> None:
     )
 
 
-def draw_displacements(motion: Record, figure: EncodedFigure, name: str) -> None:
-    """Draw displacements over time, and state the drift that the initial velocities cause."""
-    farthest = {}
-    for body in PARTS:
-        if body != "spring":
-            x = motion.ground_positions[body]
-            farthest[body] = 100 * abs(x - x[0]).max()
+def draw_displacements(motion: Record, figure: EncodedFigure, name: str, frame: str) -> None:
+    """Draw displacements over time below what they show, and state the drift that the initial velocities cause."""
+    positions, _velocities = cache.relative_to(frame, motion)
+    swing = {body: 100 * float(np.ptp(x)) for body, x in positions.items()}
     block = _drift(motion.ground_positions["block"], motion)
     top = _drift(motion.relative_positions["top"], motion)
+    if frame == "block":
+        finding = _("Relative to the block, the slab moves **twice as far** as the rollers below it: nothing slips.")
+    elif block:
+        finding = _("The whole machine glides. Slab and block swing about this drift **in opposite directions**.")
+    else:
+        finding = _(
+            "Slab and block swing **in opposite directions**: {slab:2 cm} and {block:2 cm}, the lower rollers only "
+            "{hoop:2 cm}."
+        )
+    st.markdown(filled(finding, **swing))
     alternative = [
         _("Displacements over time."),
-        _("The whole machine glides steadily, and the slab oscillates about this drift.")
-        if block
-        else _("The slab oscillates; the centres of the lower rollers move least."),
         *([_("The top cylinder drifts along the block.")] if top else []),
-        _("Greatest distance from the start, relative to the ground: {distances}."),
+        _("Greatest distance from the start, {frame}: {distances}."),
     ]
+    farthest = {body: 100 * float(abs(x - x[0]).max()) for body, x in positions.items()}
     distances = list_values(PARTS, farthest, "cm")
-    if name != FIRST_DISPLACEMENTS:
-        draw_chart(figure, name, " ".join(alternative).format(distances=distances))
-        st.caption(
-            _("Relative to the block, the slab moves twice as far as the axes of the rollers below it: nothing slips.")
-        )
-        return
-    st.caption(_("Zero is each body’s place before compression. Up is to the right."))
-    draw_chart(figure, name, " ".join(alternative).format(distances=distances))
+    draw_chart(figure, name, " ".join(alternative).format(frame=cache.FRAMES[frame], distances=distances))
+    sentences = [_("Zero is each body’s place before the compression.")]
     if block or top:
-        sentence = _(
+        drift = _(
             "After whole periods only this drift is left: {block:3 cm/s} for the block, {top:3 cm/s} for the top "
             "cylinder relative to it."
         )
-    else:
-        sentence = _(
-            "Nothing drifts: after each period every body is back where it started. An initial velocity changes this."
-        )
+        sentences.append(filled(drift, block=block, top=top))
+    elif not is_projector():
+        sentences.append(_("Nothing drifts: after each period every body is back. An initial velocity changes this."))
     with st.container(key=f"drift_{name}"):
-        st.caption(filled(sentence, block=block, top=top))
+        st.caption(" ".join(sentences))
 
 
 def draw_phase_plane(motion: Record, frame: str, figure: EncodedFigure) -> None:
@@ -107,9 +102,9 @@ def explain_phase_plane() -> None:
     """Explain the phase plane, and what to look for in it."""
     st.caption(
         _(
-            "Each dot of this **phase plane** shows where a body is and how fast it moves. The velocity is divided by "
-            "the natural frequency Ω: both axes are lengths, and an oscillation is a circle. Change $-\\dot X_0$: the "
-            "curves relative to the ground open, those relative to the block do not change."
+            "Each dot of this **phase plane** shows where a body is and how fast it moves. With the velocity divided "
+            "by Ω, an oscillation is a circle. Change $-\\dot X_0$: relative to the ground the curves open, relative "
+            "to the block they do not change."
         )
     )
 
@@ -119,76 +114,89 @@ def _drift(x: np.ndarray, motion: Record) -> float:
     return round(float((x[-1] - x[0]) / motion.t[-1] * 100), 9)
 
 
-def draw_energy(motion: Record, figure: EncodedFigure, name: str) -> None:
+def draw_energy(motion: Record, figure: EncodedFigure) -> None:
     """Draw the energies, stacked."""
     total = motion.total_energy
     error = max(float(abs(total - total[0]).max() / total[0]), np.finfo(float).eps)
     peaks = {}
-    for body in PARTS:
-        if body != "spring":
-            kinds = [energy for key, energy in motion.energies.items() if key.startswith(body)]
-            peaks[body] = float(np.sum(kinds, axis=0).max())
+    for body in BODIES:
+        kinds = [energy for key, energy in motion.energies.items() if key.startswith(body)]
+        peaks[body] = float(np.sum(kinds, axis=0).max())
     greatest = max(peaks, key=peaks.__getitem__)
+    values = {"total": 1e3 * total[0], "body": PARTS[greatest], "share": peaks[greatest] / total[0]}
+    finding = _(
+        "Spring and bodies exchange energy, but **the sum stays at {total:4 mJ}**. The largest share of a single body "
+        "is {share:2 %}: {body}."
+    )
+    st.markdown(filled(finding, **values))
     alternative = _(
         "Energies of all bodies, stacked: energy passes between the spring and the bodies, and the sum stays at "
         "{total:4 mJ}. No other body ever has as much kinetic energy as this one: {body}."
     )
-    draw_chart(figure, name, filled(alternative, total=1e3 * total[0], body=PARTS[greatest]))
-    sentences = [
-        _(
-            "Solid areas: kinetic energy of translation relative to the ground. Hatched areas: of rotation. The sum is "
-            "{total:4 mJ} at every instant, with a relative error of at most {error:1↑}. At release the spring holds "
-            "{spring:4 mJ}."
-        )
-    ]
-    if total[0] > motion.energies["spring"][0]:
-        sentences.append(_("The initial velocities add the rest."))
-    spring = 1e3 * motion.energies["spring"][0]
-    st.caption(filled(" ".join(sentences), total=1e3 * total[0], error=error, spring=spring))
+    draw_chart(figure, "energy", filled(alternative, **values))
+    sentences = [_("Solid areas: kinetic energy of translation relative to the ground; hatched: of rotation.")]
+    spring = motion.energies["spring"][0]
+    if not is_projector():
+        sentences.append(_("The relative error of the sum is at most {error:1↑}."))
+    if total[0] > spring and not is_projector():
+        sentences.append(_("At release the spring holds {spring:4 mJ}. The initial velocities add the rest."))
+    st.caption(filled(" ".join(sentences), error=error, spring=1e3 * spring))
 
 
-def draw_momentum(motion: Record, figure: EncodedFigure, name: str) -> None:
+def draw_momentum(motion: Record, figure: EncodedFigure) -> None:
     """Draw the momenta of the bodies and the two conserved momenta."""
     p_X, p_Phi = (float(motion.momenta[name][0]) for name in ("p_X", "p_Phi"))
     p_X_symbol, _p_phi_symbol, p_Phi_symbol = map(latex, MOMENTA)
+    st.markdown(
+        _("The bodies exchange momentum, but **two lines stay flat**: the Lagrangian contains neither $X$ nor $\\Phi$.")
+    )
     alternative = _(
         "Momentum of each body over time. The bodies exchange momentum, but two lines are flat, because two momenta "
         "are conserved: all bodies together {all:3 kg m/s}, p_Φ/R {top:3 kg m/s}."
     )
-    draw_chart(figure, name, filled(alternative, all=-p_X, top=p_Phi / motion.oscillator.radius))
-    sentences = [
-        _(
-            "The bodies exchange momentum, but two momenta are conserved, because the Lagrangian contains neither $X$ "
-            "nor $\\Phi$."
-        )
-    ]
+    draw_chart(figure, "momentum", filled(alternative, all=-p_X, top=p_Phi / motion.oscillator.radius))
     if not is_projector():
-        sentences.append(
-            _(
-                "$-{p_X}$ is the momentum of the whole machine; $X$ is positive to the left, hence the minus sign. "
-                "${p_Phi}$ is the angular momentum of the top cylinder about its line of contact with the block. "
-                "Change the initial velocities and watch both lines move."
-            ).format(p_X=p_X_symbol, p_Phi=p_Phi_symbol)
+        sentence = _(
+            "$-{p_X}$ is the momentum of the whole machine; $X$ is positive to the left, hence the minus sign. "
+            "${p_Phi}$ is the angular momentum of the top cylinder about its line of contact with the block. "
+            "Change the initial velocities and watch both lines move."
         )
-    st.caption(" ".join(sentences))
+        st.caption(sentence.format(p_X=p_X_symbol, p_Phi=p_Phi_symbol))
 
 
-def draw_contact_forces(motion: Record, figure: EncodedFigure, name: str) -> None:
-    """Draw and explain the contact forces over time."""
-    strongest = {name: float(abs(force).max()) for name, force in motion.forces.items() if name in cache.CONTACTS}
-    alternative = _(
-        "Contact forces over time: friction follows the motion of the spring, and the slab’s weight shifts between the "
-        "rollers. Greatest friction: {forces}."
-    )
-    draw_chart(figure, name, alternative.format(forces=list_values(cache.CONTACTS, strongest, "N")))
-    if name != FIRST_FORCES:
-        st.caption(_("The slab weighs on the two lower rollers. As it moves, its weight shifts from one to the other."))
-        return
+def draw_friction(motion: Record, figure: EncodedFigure, friction: Friction) -> None:
+    """Draw the friction at the contacts over time, with the limit of the contact that slips first."""
+    if motion.compression <= friction.largest:
+        finding = _(
+            "**First to slip: the contact {between}.** Its friction stays in the shaded area, below μ times the normal "
+            "force."
+        )
+    else:
+        finding = _(
+            "**The contact {between} slips.** Its friction leaves the shaded area: it exceeds μ times the normal force."
+        )
+    st.markdown(finding.format(between=CONTACTS[friction.first].between))
+    strongest = {name: float(abs(force).max()) for name, force in motion.forces.items() if name in CONTACTS}
+    alternative = _("Friction over time: it follows the motion of the spring. Greatest friction: {forces}.")
+    draw_chart(figure, "forces", alternative.format(forces=list_values(cache.CONTACTS, strongest, "N")))
+    if not is_projector():
+        sentence = _(
+            "Friction on the rollers, positive to the right. No initial velocity changes it: in a zero mode nothing "
+            "accelerates."
+        )
+        st.caption(sentence)
+
+
+def draw_normal_forces(motion: Record, figure: EncodedFigure) -> None:
+    """Draw the normal forces over time."""
+    greatest = {name: float(force.max()) for name, force in motion.normal_forces.items()}
+    alternative = _("Normal forces over time. Greatest: {forces}.")
+    draw_chart(figure, "normal_forces", alternative.format(forces=list_values(cache.CONTACTS, greatest, "N")))
     sentence = _(
-        "Forces on the rollers, positive to the right. The axes of the two lower rollers are {spacing} apart, as "
-        "drawn. No initial velocity changes a contact force: in a zero mode nothing accelerates."
+        "The slab weighs on the two lower rollers. As it moves, its weight shifts from one to the other: their axes "
+        "are {spacing} apart, as drawn."
     )
-    st.caption(sentence.format(spacing=centimetres(motion.spacing)))
+    st.caption(sentence.format(spacing=quantity(100 * motion.spacing, "cm", 3)))
 
 
 def explain_friction() -> None:
@@ -234,8 +242,3 @@ def list_values(names: dict[str, str], values: dict[str, float], unit: str) -> s
     for key, value in values.items():
         items.append(template.format(name=names[key], value=quantity(float(value), unit, 3)))
     return "; ".join(items)
-
-
-def centimetres(metres: float) -> str:
-    """Return a length in centimetres."""
-    return quantity(100 * metres, "cm", 3)
