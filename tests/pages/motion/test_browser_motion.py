@@ -210,13 +210,23 @@ def check_views(page):
         assert machine["y"] + machine["height"] < 720 - 200
 
 
-def test_machine_and_graph_are_beside_each_other_on_a_small_screen(visit):
+def test_machine_and_graph_are_on_one_small_screen(visit):
     page = open_motion(visit)
     page.set_viewport_size({"width": 1000, "height": 768})
     settle(page)
     machine, graph = (page.locator(each).first.bounding_box() for each in ("svg.machine", ".js-plotly-plot"))
     assert machine["x"] + machine["width"] < graph["x"]
     assert max(box["y"] + box["height"] for box in (machine, graph)) < 768
+    # On a phone the curves begin below the machine, before the settings, and their first half is above the drawer.
+    page.set_viewport_size({"width": 390, "height": 844})
+    settle(page)
+    page.evaluate("document.querySelector('[data-testid=stMain]').scrollTo(0, 0)")
+    next_frame(page)
+    places = ("svg.machine", ".js-plotly-plot", ".st-key-fold_velocities")
+    machine, graph, settings = (page.locator(each).first.bounding_box() for each in places)
+    assert machine["y"] + machine["height"] < graph["y"]
+    assert graph["y"] + graph["height"] < settings["y"]
+    assert graph["y"] + graph["height"] / 2 < 800
 
 
 def check_edge(page):
