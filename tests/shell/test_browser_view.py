@@ -168,7 +168,9 @@ def check_slides(page, count: int, full: float | None) -> None:
     slides = page.locator(".st-key-pager select")
     titles = slides.locator("option").all_inner_texts()
     assert len(titles) == count == len(set(titles))
-    slides.select_option(titles[0])
+    assert slides.is_visible() == (count > 1)
+    if count > 1:
+        slides.select_option(titles[0])
     wrong = []
     for slide, title in enumerate(titles, start=1):
         expect(page.locator(PLACE)).to_have_text(title)
@@ -218,7 +220,9 @@ def check_address(page) -> None:
 def check_zoomed(page, slide: int, *parts: str) -> None:
     """Check that parts are in view on a screen of 1280×720 pixels at 150 %, without the drawer of a phone."""
     page.set_viewport_size({"width": 853, "height": 480})
-    page.locator(".st-key-pager select").select_option(index=slide - 1)
+    slides = page.locator(".st-key-pager select")
+    if slides.is_visible():
+        slides.select_option(index=slide - 1)
     next_frame(page)
     assert page.evaluate(BAR) == 0
     assert not page.locator(".st-key-handle").is_visible()

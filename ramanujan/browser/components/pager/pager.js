@@ -113,8 +113,8 @@ class Pager {
     const name = this.slides[now]?.name;
     if (name !== bus.last("slide")) bus.publish("slide", name);
     this.list.selectedIndex = now;
-    // A single slide needs no pager, and a lesson counts its stops itself. Its place stays.
-    this.list.parentElement.style.visibility = this.slides.length > 1 ? "" : "hidden";
+    // A single slide needs no pager, and a lesson counts its stops itself.
+    this.list.parentElement.style.display = this.slides.length > 1 ? "" : "none";
     this.back.disabled = now <= 0;
     this.next.disabled = now >= this.slides.length - 1;
     this.fit();
