@@ -51,17 +51,17 @@ def show() -> None:
     with machine_column:
         st.title(_("Motion"), anchor=False)
         if not is_projector:
-            with st.container(key="question"):
+            with st.container(key="motion_question"):
                 st.markdown(_("What moves how far? Where does the energy go? Which contact slips first?"))
         picture, words = display_mode.picture_and_words(2)
         with picture:
             scene = st.container(key="without_dials")
         with words, st.container(key="settings"):
+            contacts = st.container()
             with choose_initial_velocities():
                 glide, spin = widgets.page_slider(GLIDE), widgets.page_slider(SPIN)
                 if not is_projector:
                     plots.explain_zero_modes()
-            contacts = st.container()
     setting = (machine, compression, glide, spin)
     motion = cache.record(*setting)
     largest = largest_compression(machine, MU.in_si, spacing=motion.spacing)
