@@ -289,9 +289,10 @@ def _name_lines(
     for name, level in zip(names, levels, strict=True):
         cost, error = line_ends[name]
         color = colors["primary"] if name in (chosen, _SINGLE) else colors["block"]
-        joint = line([float(cost), edge], [float(error), level], color=color, width=1)
+        # A dotted leader is no part of the line.
+        joint = line([float(cost), edge], [float(error), level], color=colors["faint"], width=1, dash="dot")
         # The symbol of the line is only at the name.
-        look = {"opacity": 1, "line": {"width": 0}}
+        look = {"opacity": 1, "color": color, "line": {"width": 0}}
         marker = {"symbol": symbols.get(name, "circle"), "size": [0, _SYMBOL * (name in symbols)], **look}
         properties = {"mode": "lines+markers", "marker": marker, "cliponaxis": False}
         leaders.append(joint | properties | {"hoverinfo": "skip", "yaxis": "y2"})
@@ -350,10 +351,9 @@ def draw_phase_errors(
     edges = {"xref": "paper", "x0": 0, "x1": 1, "y0": 1.0, "y1": limits[1], "line": {"width": 0}}
     band = {"type": "rect", **edges, "fillcolor": colors["top"], "opacity": 0.2, "layer": "below"}
     place = {"xanchor": "left", "yanchor": "bottom", "xshift": 6, "yshift": 2}
-    words = _("above 1 rad: the clock is meaningless")
-    notes = [note(f"<b>{words}</b>", colors["top_ink"], np.log10(periods[0]), 0.0) | place]
+    notes = [note(f"<b>{lost}</b>", colors["top_ink"], np.log10(periods[0]), 0.0) | place]
     x_range = float(np.log10(periods[0])), float(np.log10(periods[-1])) + 1.1
-    x_axis = axis(_("periods"), x_range, type="log", dtick=3)
+    x_axis = axis(_("periods"), x_range, type="log", dtick=5)
     y_axis = log_axis(_("phase error [rad]"), limits, decades=3)
     return build_figure(
         traces, colors, 320, margin=_MARGIN, annotations=notes, shapes=[band], xaxis=x_axis, yaxis=y_axis, yaxis2=names

@@ -88,6 +88,7 @@ export function makeLayers(root) {
       speed: ["m/s", (length) => [velocityArrow(x, first, length, head), x + length, first]],
       force: ["N", (length) => [forceArrow(x, second, length, head), x + length, second]],
     };
+    set(find(".shift text"), { x, y: -first });
     const sentences = { speed: seenFrom === "block" ? WORDS.relative : "{speed}", force: WORDS.strength };
     for (const [name, [unit, drawn]] of Object.entries(scales)) {
       const value = roundBelow(maxima[name]), [d, end, y] = drawn(value * unitLengths[name]);
@@ -193,6 +194,7 @@ export function makeLayers(root) {
     find(".machine").classList.toggle("lettered", Boolean(data.forces));
     setVisible(find(".rolling"), seenFrom === "block");
     find(".machine").classList.toggle("from-block", seenFrom === "block");
+    setVisible(find(".shift"), shown.has("displacements"));
     setVisible(find(".speed"), shown.has("arrows") || seenFrom === "block");
     const hasForces = Boolean(data.forces) || shown.has("forces");
     const atCentres = ["displacements", "arrows", "coordinates"];

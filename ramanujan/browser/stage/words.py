@@ -114,6 +114,7 @@ BODY_WORDS = {
 
 TEXTS = {
     "animated": _("The machine, animated"),
+    "displacement_scale": _("arrows: displacements, to scale"),
     "machine": _("The machine"),
     "plain": _("A plain mass m on the same spring k"),
     "plain_caption": _("plain mass m, same spring k"),

@@ -60,8 +60,8 @@ def draw_displacements(motion: Record, figure: EncodedFigure, name: str, frame: 
         finding = _("The whole machine glides. Slab and block swing about this drift **in opposite directions**.")
     else:
         finding = _(
-            "Slab and block swing **in opposite directions**: {slab:2 cm} and {block:2 cm}, the lower rollers only "
-            "{hoop:2 cm}."
+            "Slab and block swing **in opposite directions**: {slab:2 cm} and {block:2 cm} from end to end, the lower "
+            "rollers only {hoop:2 cm}."
         )
     st.markdown(filled(finding, **swing))
     alternative = [
@@ -125,8 +125,8 @@ def draw_energy(motion: Record, figure: EncodedFigure) -> None:
     greatest = max(peaks, key=peaks.__getitem__)
     values = {"total": 1e3 * total[0], "body": PARTS[greatest], "share": peaks[greatest] / total[0]}
     finding = _(
-        "Spring and bodies exchange energy, but **the sum stays at {total:4 mJ}**. The largest share of a single body "
-        "is {share:2 %}: {body}."
+        "Spring and bodies exchange energy, but **the sum stays at {total:4 mJ}**. At most {share:2↑ %} of it is in "
+        "one body: {body}."
     )
     st.markdown(filled(finding, **values))
     alternative = _(

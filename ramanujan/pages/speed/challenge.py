@@ -13,7 +13,7 @@ from ramanujan.lesson import Attempt
 from ramanujan.lesson.answer_tasks import WITHIN
 from ramanujan.pages.speed import cache, downsampling
 from ramanujan.physics.integrators import METHODS
-from ramanujan.shell import address, sidebar, stages, widgets
+from ramanujan.shell import address, display_mode, sidebar, stages, widgets
 from ramanujan.shell.sections import tasks
 from ramanujan.text.translation import _
 
@@ -36,7 +36,9 @@ def draw_controls() -> None:
         # TRANSLATORS: {idea} continues the name of a method: velocity Verlet uses the velocity at mid-step.
         template = _("{method}: {idea}")
         labels = {name: template.format(method=method.title, idea=method.idea) for name, method in METHODS.items()}
-        method = widgets.selectbox(METHOD, _("Method"), labels, width="stretch")
+        # Large letters leave no room for the ideas.
+        shown = None if display_mode.is_projector() else labels
+        method = widgets.selectbox(METHOD, _("Method"), shown, width="stretch")
         steps = widgets.count(STEPS, _("Steps per period"), width="stretch")
         attempt = method, steps
         st.button(_("Run"), key="run", type="primary", on_click=_add_attempt, args=attempt)
