@@ -194,8 +194,10 @@ export function makeLayers(root) {
     find(".machine").classList.toggle("lettered", Boolean(data.forces));
     setVisible(find(".rolling"), seenFrom === "block");
     find(".machine").classList.toggle("from-block", seenFrom === "block");
-    setVisible(find(".shift"), shown.has("displacements"));
-    setVisible(find(".speed"), shown.has("arrows") || seenFrom === "block");
+    // Both keys have the same place.
+    const hasSpeeds = shown.has("arrows") || seenFrom === "block";
+    setVisible(find(".speed"), hasSpeeds);
+    setVisible(find(".shift"), shown.has("displacements") && !hasSpeeds);
     const hasForces = Boolean(data.forces) || shown.has("forces");
     const atCentres = ["displacements", "arrows", "coordinates"];
     const hasArrowsAtCentres = atCentres.some((name) => shown.has(name)) || seenFrom === "block";

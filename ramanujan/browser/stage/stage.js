@@ -70,6 +70,7 @@ class Stage {
     this.keeper = makeKeeper(this, options, sendView, signal);
     signal.addEventListener("abort", () => {
       document.body.removeAttribute("data-in-step");
+      document.body.removeAttribute("data-observing");
       bus.forget(`seek/${stage}`); // published by other components, without an owner
       bus.forget(`time/${stage}`, this);
       bus.forget(`drawn/${stage}`, this);
@@ -287,6 +288,11 @@ class Stage {
     this.keeper.send();
   }
 
+  /** Whether the machine runs towards the moment of a question. */
+  isBeforeRest() {
+    return this.clock.playing && !this.parts.hides("motion") && this.playback.plainPhase < this.restAngle;
+  }
+
   /** Set both hands to the start. If they rest at the moment of a question, play again. */
   reset() {
     const rests = this.playback.plainPhase === this.restAngle;
@@ -395,6 +401,8 @@ class Stage {
     if (needsDrawing && this.showsGhosts && !this.parts.hides("motion")) {
       this.picture.ghosts(exposures(this.parameters, this.solution));
     }
+    // The page of a question hides its result meanwhile.
+    if (this.restAngle) document.body.toggleAttribute("data-observing", this.isBeforeRest());
     this.scrubber.value = (((phase / TURN) % 1) + 1) % 1;
     if (writesText) this.scrubber.setAttribute("aria-valuetext", moment(phase, time, this.parts));
     bus.publish(`time/${this.name}`, { time, phase, plainPhase, periods, playing: this.clock.playing }, this);

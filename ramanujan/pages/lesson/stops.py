@@ -33,6 +33,8 @@ _SEVERAL = {2: "several-2", 3: "several-3"}
 """Number of machines → their arrangement in the style sheets."""
 _LOADED = "lesson_loaded"
 """Session state: the stop whose machine was last loaded into the sliders, and whether its machine was running."""
+_OBSERVED = "lesson_observed"
+"""Session state: the stop whose machine the reader has just started. Its result waits for the moment of the question."""
 
 
 def load_machine(stop: Stop, running: bool) -> None:
@@ -66,6 +68,7 @@ def set_prediction(stop: Stop, option: str | None, phase: str) -> None:
     """Callback: make, delete or advance a prediction. A machine that already runs goes on."""
     was_running = is_running(progress.read_prediction(stop)[1])
     progress.predict(stop, option, phase)
+    st.session_state[_OBSERVED] = stop.id if stop.periods and not was_running else None
     if not (was_running and is_running(phase)):
         load_machine(stop, is_running(phase))
 
@@ -109,7 +112,8 @@ def draw(
             _words, picture, reason = draw_containers(stop, running)
     with reason:
         if phase == progress.ANSWERED:
-            draw_explanation(stop)
+            with st.container(key=_result_key(stop, "explanation")):
+                draw_explanation(stop)
     load_new_machine(stop, running)
     # A machine with a label does not follow the sliders. The desk needs its room for the votes.
     if not (stop.exhibit or stop.runs[0].label or draw_desk or display_mode.is_projector()):
@@ -185,29 +189,50 @@ def draw_verdict(stop: Stop, chosen: str, phase: str) -> None:
     """Draw all options with the prediction marked, after the run a verdict on it, and on request the right answer."""
     is_right = chosen == stop.right
     is_answered = phase == progress.ANSWERED
-    labels = add_letters(stop)
     # On a phone this part is above the machine.
     with container("lead", "verdict"):
-        shared_elements.draw_options(_mark_options(stop, chosen, is_answered))
+        with st.container(key=_result_key(stop, "marked")):
+            shared_elements.draw_options(_mark_options(stop, chosen, is_answered))
         if phase == progress.PREDICTED:
             _draw_moves(stop, chosen, stop.observation, progress.ANSWERED if is_right else progress.MISSED)
             return
-        if is_right:
-            sentence = _("Your prediction was right.")
-            st.markdown(f":green[**{sentence}**]")
-        else:
-            # TRANSLATORS: {option} is a sentence, and {reply} begins with its consequence: Then …
-            template = _("**Not right.** You predicted: *{option}* {reply}")
-            # A sentence follows each option, and some have no full stop.
-            option = stop.options[chosen].removesuffix(".") + "."
-            sentence = template.format(option=option, reply=stop.reply(chosen))
-            st.markdown(sentence)
-            if is_answered:
-                sentence = _("Right answer: {label}").format(label=labels[stop.right])
-            else:
-                _draw_moves(stop, chosen, _("Show the answer"), progress.ANSWERED)
+        with st.container(key="outcome"):
+            if _is_observed(stop):
+                with st.container(key="watch"):
+                    watch = _("Watch the hands. The result follows after {n} periods, or when you pause.")
+                    st.markdown(watch.format(n=stop.periods))
+            with st.container(key=_result_key(stop, "result")):
+                sentence = _draw_result(stop, chosen, is_answered)
     # The clicked button has disappeared with the focus, so announce the result to a screen reader.
     topics.publish(f"verdict_{stop.id}", {"announce": {"sentence": sentence.replace("*", ""), "urgent": True}})
+
+
+def _draw_result(stop: Stop, chosen: str, is_answered: bool) -> str:
+    """Draw the verdict on a prediction, and return its last sentence. A wrong one can be made again."""
+    if chosen == stop.right:
+        sentence = _("Your prediction was right.")
+        st.markdown(f":green[**{sentence}**]")
+        return sentence
+    # TRANSLATORS: {option} is a sentence, and {reply} begins with its consequence: Then …
+    template = _("**Not right.** You predicted: *{option}* {reply}")
+    # A sentence follows each option, and some have no full stop.
+    option = stop.options[chosen].removesuffix(".") + "."
+    sentence = template.format(option=option, reply=stop.reply(chosen))
+    st.markdown(sentence)
+    if is_answered:
+        return _("Right answer: {label}").format(label=add_letters(stop)[stop.right])
+    _draw_moves(stop, chosen, _("Show the answer"), progress.ANSWERED)
+    return sentence
+
+
+def _is_observed(stop: Stop) -> bool:
+    """Return whether the reader has just started the machine of a question about its hands; a link has not."""
+    return st.session_state.get(_OBSERVED) == stop.id
+
+
+def _result_key(stop: Stop, name: str) -> str:
+    """Return the key of a part of the result. The style sheet hides a part that waits while the hands are observed."""
+    return f"{name}_waits" if _is_observed(stop) else name
 
 
 def _mark_options(stop: Stop, chosen: str, is_answered: bool) -> dict[str, str]:

@@ -85,6 +85,9 @@ def check_prediction(page) -> None:
     predict(page, "Run the machine")
     # Negative control: now all of it is on the page.
     page.wait_for_function(f"{PLACE} !== '{place}'")
+    # The result waits until the hands have been observed, or the machine is paused.
+    expect(page.locator(".st-key-watch")).to_be_visible()
+    expect(page.locator(".st-key-result_waits")).to_be_hidden()
     after = page.evaluate(TEXTS)
     assert TELLING[-1] in after
     assert f"{MACHINE.normalized_frequency_squared:.7g}" in after
@@ -98,6 +101,7 @@ def check_prediction(page) -> None:
 
 def check_turning(page) -> None:
     """Check that arrow keys turn the stops, and that a stop without a slider offers none."""
+    expect(page.locator(".st-key-watch")).to_be_hidden()
     predict(page, "Show the answer")
     expect(page.locator(".st-key-m_prime")).not_to_be_in_viewport()
     page.keyboard.press("ArrowRight")
