@@ -225,9 +225,14 @@ def _enlarge_axis(axis: dict[str, Any], is_vertical: bool) -> dict[str, Any]:
     return axis
 
 
+def without_tags(text: str) -> str:
+    """Return a text of a figure without its HTML tags."""
+    return re.sub("<.*?>", "", text)
+
+
 def _break_title(text: str) -> str:
     """Break a long title once, at the space nearest to its middle."""
-    if len(re.sub("<.*?>", "", text)) <= _TITLE_LENGTH or "<br>" in text:
+    if len(without_tags(text)) <= _TITLE_LENGTH or "<br>" in text:
         return text
     spaces = [index for index, letter in enumerate(text) if letter == " "]
     middle = min(spaces, key=lambda index: abs(index - len(text) / 2), default=None)

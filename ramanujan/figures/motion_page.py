@@ -1,7 +1,6 @@
 """The figures of the motion page: curves over time, the phase plane, and the required friction."""
 
 import math
-import re
 import textwrap
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
@@ -11,7 +10,7 @@ from typing import Any
 import numpy as np
 from plotly.colors import hex_to_rgb
 
-from ramanujan.figures import NO_NAME, EncodedFigure, build_figure, legend, line, note, spread
+from ramanujan.figures import NO_NAME, EncodedFigure, build_figure, legend, line, note, spread, without_tags
 from ramanujan.text.numerals import fixed, number
 from ramanujan.text.translation import _
 
@@ -295,7 +294,7 @@ def _crest(values: np.ndarray, first: int, last: int) -> int:
 def _in_ink(curve: TimeCurve) -> str:
     """Return the label of a curve in its colour for words, a long one in lines that end at a space or a dash."""
     lines = [curve.label]
-    if len(re.sub("<.*?>", "", curve.label)) > _LONGEST_NAME:
+    if len(without_tags(curve.label)) > _LONGEST_NAME:
         lines = textwrap.wrap(curve.label.replace("–", "– "), _LONGEST_NAME)
     return f'<span style="color:{curve.ink}">{"<br>".join(lines).replace("– ", "–")}</span>'
 

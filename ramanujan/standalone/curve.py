@@ -1,12 +1,11 @@
 """The curve of Ω²m/k over the mass ratio as SVG, with its limits and two marked machines. curve.js moves its ring."""
 
 import math
-import re
 from collections.abc import Iterable
 from typing import Any
 from xml.etree import ElementTree as ET
 
-from ramanujan.figures import MASS_RATIO
+from ramanujan.figures import MASS_RATIO, without_tags
 from ramanujan.figures.oscillator_page import FrequencyCurve, limit_labels
 from ramanujan.pages.oscillator import cache as first_page
 from ramanujan.pages.oscillator import shared_with_file
@@ -80,7 +79,7 @@ def _draw_axes(svg: ET.Element, curve: FrequencyCurve) -> None:
     for value in _VALUE_TICKS:
         _add(svg, "line", "grid", x1=_LEFT, x2=_RIGHT, y1=_y(value, curve), y2=_y(value, curve))
         _add(svg, "text", "scale", number(value, strip=True), x=_LEFT - 6, y=_y(value, curve) + 4)
-    _add(svg, "text", "axis", re.sub("<[^>]*>", "", MASS_RATIO), x=(_LEFT + _RIGHT) / 2, y=_BOTTOM + 34)
+    _add(svg, "text", "axis", without_tags(MASS_RATIO), x=(_LEFT + _RIGHT) / 2, y=_BOTTOM + 34)
     _add(svg, "text", "", "Ω²m/k", x=4, y=_TOP + 2)
 
 

@@ -33,7 +33,7 @@ SENTENCES = {
     "close": _("Now the hands agree to {least} turns."),
     "ahead": _("Now the machine is {turns} turns ahead."),
     "behind": _("Now the machine is {turns} turns behind."),
-    # TRANSLATORS: before one of the sentences about the hands, while a question about so many periods is open.
+    # TRANSLATORS: {sentence} is one about the hands. {periods} is the number of periods in the question of the lesson.
     "counting": _("{done} of {periods} periods. {sentence}"),
     # TRANSLATORS: turns of the machine's hand, a whole number, compared with the other hand.
     "meets_ahead": _("Now the hands meet. Full turns gained: {turns}."),

@@ -38,6 +38,8 @@ LAYERS = {
     "friction": ("forces",),
     "normal_forces": ("forces",),
 }
+# Frame of reference → the slide of its displacements.
+SLIDES = {"ground": "displacements", "block": "displacements_2"}
 FIGURE = address.Choice("figure", FIGURES, "displacements")
 PLANE = address.Choice("plane", cache.FRAMES, "ground")
 URL_PARAMETERS = (GLIDE, SPIN, MU, FIGURE, PLANE)
@@ -115,7 +117,7 @@ def stage_views() -> dict[str, dict[str, Any]]:
     if not display_mode.is_projector():
         return {"": {"layers": LAYERS[address.current(FIGURE)], "from": address.current(PLANE)}}
     views = {slide: {"layers": layers} for slide, layers in LAYERS.items()}
-    return views | {"displacements_2": {"layers": LAYERS["displacements"], "from": "block"}}
+    return views | {SLIDES["block"]: {"layers": LAYERS["displacements"], "from": "block"}}
 
 
 def describe_friction(friction: Friction, compression: float) -> tuple[str, str]:
@@ -173,7 +175,7 @@ def draw_displacements(motion: Record, figures: Mapping[str, EncodedFigure], set
     heading = FIGURES["displacements"]
     if display_mode.is_projector():
         for frame, title in cache.FRAMES.items():
-            name = "displacements" if frame == "ground" else "displacements_2"
+            name = SLIDES[frame]
             with slide(name, _("{figure}: {panel}").format(figure=heading, panel=title), heading=heading):
                 plots.draw_displacements(motion, figures[title], name, frame)
     else:

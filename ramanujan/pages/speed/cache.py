@@ -36,7 +36,7 @@ from ramanujan.text.translation import _
 
 
 class SweepVariable(NamedTuple):
-    """The variable of a sweep: its symbol, the title of its axis, and what is at the ends of the axis."""
+    """The variable of a sweep: its symbol, the title of its axis, and the names of the ends of that axis."""
 
     symbol: str
     title: str

@@ -53,8 +53,12 @@ def draw_machine() -> None:
     method, steps = [selected, *tried_runs()][-1]
     computed = downsampling.stage_payload(cache.run(method, steps))
     run_name = _("{method}, {steps} steps per period").format(method=METHODS[method].title, steps=steps)
-    computed |= {"run_name": run_name, "within": WITHIN}
-    computed |= {"run": st.session_state.get(_RUN, 0), "screen_period": _ANIMATION / PERIODS}
+    computed |= {
+        "run_name": run_name,
+        "within": WITHIN,
+        "run": st.session_state.get(_RUN, 0),
+        "screen_period": _ANIMATION / PERIODS,
+    }
     payload = stage.payload(sidebar.oscillator(), sidebar.compression(), computed=computed)
     with container("observed", "race"):
         stages.mount(payload, key="stage_race", label=_("The exact motion"), clock="speed", compact=True, layers=())

@@ -8,7 +8,7 @@ from itertools import pairwise
 import numpy as np
 
 from ramanujan.accuracy.arithmetics import ARITHMETICS, Price
-from ramanujan.accuracy.extremes import FORMS, INACCURATE, OVERFLOW, RIGHT, WRONG, ZERO, Stretch, Sweep
+from ramanujan.accuracy.extremes import FORMS, INACCURATE, OVERFLOW, RIGHT, Stretch, Sweep
 from ramanujan.accuracy.general_solvers import SOLVERS, EigenSweep
 from ramanujan.accuracy.phase import PhaseErrors
 from ramanujan.accuracy.work_precision import STEPS_PER_PERIOD, ClosedForm, Run
@@ -253,26 +253,21 @@ def strip(sweep: Sweep) -> list[Part]:
     ]
 
 
-_RETURNS = {
-    # TRANSLATORS: what a formula returns: a right value, or wrongly 0, ∞, NaN or another number.
-    RIGHT: _("right to {digits} digits"),
-    ZERO: _("gives {value}"),
-    OVERFLOW: _("gives {value}"),
-    WRONG: _("gives {value}"),
-    INACCURATE: _("loses digits"),
-}
-"""Verdict → description of the returned value."""
-
-
 def _describe_value(sweep: Sweep, stretch: Stretch) -> str:
-    """Describe the values of a form in a stretch. Of numbers, the median is named."""
+    """Describe the values of a form in a stretch. Of wrong numbers, the median is named."""
+    if stretch.verdict == RIGHT:
+        digits = count_digits(sweep.worst_right_ulp, sweep.dtype)
+        return _("right to {digits} digits").format(digits=digits)
+    if stretch.verdict == INACCURATE:
+        return _("loses digits")
     values = sweep.value[(sweep.x >= stretch.first) & (sweep.x <= stretch.last)]
     if stretch.verdict == OVERFLOW:
         kinds = {"NaN": np.isnan(values), "∞": np.isinf(values)}
         returned = "/".join(kind for kind, is_kind in kinds.items() if is_kind.any())
     else:
-        returned = number(abs(float(np.median(values))), 4)
-    return _RETURNS[stretch.verdict].format(value=returned, digits=count_digits(sweep.worst_right_ulp, sweep.dtype))
+        returned = number(abs(float(np.median(values))), 4)  # a form may return −0
+    # TRANSLATORS: what a formula returns wrongly: 0, ∞, NaN or another number.
+    return _("gives {value}").format(value=returned)
 
 
 def count_digits(ulp: float, dtype: str) -> int:

@@ -31,6 +31,9 @@ SMALL_PART = 20
 PAPER = BodyChoice()
 """The paper's machine."""
 
+UPPER_LIMIT = number_theory.normalized_frequency_squared_exact(*PAPER.bodies, 0)
+"""Ω²m/k of the paper's machine for very light rollers. Its targets are below this."""
+
 
 @cache
 def unit_equations(ink: str, paper: str) -> str:
@@ -116,10 +119,9 @@ def machines() -> tuple[BodyChoice, ...]:
 def small_targets() -> tuple[BodyChoice, ...]:
     """Return the paper's machine with each target p/q that it reaches, p and q up to `SMALL_PART`, in ascending order.
     """
-    most = number_theory.normalized_frequency_squared_exact(*PAPER.bodies, 0)
     parts = range(1, SMALL_PART + 1)
     targets = {Fraction(p, q) for p in parts for q in parts}
-    return tuple(replace(PAPER, target=target) for target in sorted(targets) if target < most)
+    return tuple(replace(PAPER, target=target) for target in sorted(targets) if target < UPPER_LIMIT)
 
 
 def curve(most: float) -> tuple[np.ndarray, np.ndarray]:

@@ -5,7 +5,6 @@ from math import isqrt
 
 import streamlit as st
 
-from ramanujan import number_theory
 from ramanujan.figures import taxicab_page as figures
 from ramanujan.pages.taxicab import cache
 from ramanujan.pages.taxicab.cache import PAPER
@@ -39,12 +38,11 @@ def draw_other_target() -> None:
             results = _current_results()
             target = results.machine.target
             if target != Fraction(p, q):
-                most = number_theory.normalized_frequency_squared_exact(*PAPER.bodies, 0)
                 sentence = _(
                     "The target must be between 0 and {most}, the value for very light rollers. {p}/{q} is not, so "
                     "{old_p}/{old_q} is shown."
                 )
-                st.warning(sentence.format(most=most, p=p, q=q, old_p=target.numerator, old_q=target.denominator))
+                st.warning(sentence.format(most=cache.UPPER_LIMIT, p=p, q=q, old_p=target.numerator, old_q=target.denominator))
             describe_target(results)
         with figure, picture_column:
             draw_curve()
@@ -79,7 +77,7 @@ def describe_target(results: cache.Results) -> None:
 def _describe_rarity() -> str:
     """Name the simple targets whose discriminant is a sum of two cubes."""
     targets = cache.small_targets()
-    # TRANSLATORS: after a fraction: its number is a sum of two cubes in so many ways.
+    # TRANSLATORS: {n} counts the sums of two cubes that are equal to the number of this target.
     several = _("{target} (in {n} ways)")
     names = []
     for machine in targets:
