@@ -55,6 +55,7 @@ The message, published at every change; all but the first entry are optional:
                  screen_period, the duration of a plain-mass period on the screen [s] while a new run is first shown
     slipping     the contact to mark, such as hoop_slab
     forces       the contacts, or spring, whose forces are drawn strongly; all forces have letters
+    held         whether a moving machine stands at its release until a person lets it move, or until it is not held
     velocities   whether the velocities are drawn without their scale, with or without their layer
     hide         the hidden parts, members of `PARTS`
     views        name of a slide, or "" in the normal view → {layers, from}, which are valid while it is shown: layers
@@ -106,6 +107,7 @@ def payload(
     computed: Mapping[str, Any] | None = None,
     slipping: str | None = None,
     forces: tuple[str, ...] | None = None,
+    held: bool | None = None,
     velocities: bool | None = None,
     views: Mapping[str, Mapping[str, Any]] | None = None,
 ) -> dict[str, Any]:
@@ -123,6 +125,7 @@ def payload(
     slipping : the contact to mark, such as hoop_slab
     forces : the contacts, or "spring", whose forces are drawn strongly; the others are drawn faintly. All forces then
         have letters, with or without the layer of forces.
+    held : whether a moving machine stands at its release, where forces are greatest
     velocities : whether the velocities are drawn without their scale, with or without their layer
     views : slide, or "" in the normal view → its layers, until a person chooses others, and its frame of reference
     """
@@ -133,6 +136,7 @@ def payload(
         "computed": computed,
         "slipping": slipping,
         "forces": forces,
+        "held": held,
         "velocities": velocities,
         "views": views,
     }

@@ -199,7 +199,9 @@ def turn_pages(setting: Setting) -> None:
     forces = named_forces(equation for step in shown_steps for equation in step.equations)
     # The arrows belong to the step that finds the velocities; at any other step they would distract.
     velocities = any(step.key == "velocities" for step in shown_steps) or None
-    payload = stage.payload(machine, sidebar.compression(), forces=forces or None, velocities=velocities)
+    # A lecturer draws the forces at one moment. In motion they vanish twice a period.
+    held = bool(forces and setting.is_lecture) or None
+    payload = stage.payload(machine, sidebar.compression(), forces=forces or None, held=held, velocities=velocities)
     stages.publish(payload, key="beside", more=sidebar.collect_box_messages())
 
 
@@ -240,6 +242,8 @@ def draw_step(setting: Setting, number: int) -> None:
             draw_stacks()
     st.markdown(f"## {number}. {heading}\n\n{reason}")
     widgets.equations(f"{setting.route}_{number}", wide, narrow)
+    if setting.is_lecture and not display_mode.is_projector() and named_forces(step.equations):
+        st.caption(_("At the release the forces are greatest, so the machine stands there. Play shows them change."))
     if step.key in ASKED and setting.is_lecture and not display_mode.is_projector():
         with st.container(key=f"try_link_{number}"):
             st.markdown(_("Would you like to work out a result on your own? [Try it yourself](#try)."))

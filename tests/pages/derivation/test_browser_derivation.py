@@ -9,7 +9,7 @@ from playwright.sync_api import expect
 from ramanujan.derivation import ROUTES
 from ramanujan.shell.theme import BODY_COLORS
 from tests.checks.bare import THEME
-from tests.checks.browser import script, settle, traffic
+from tests.checks.browser import script, settle, traffic, until
 from tests.checks.look import RING, rgb, switch
 
 STEP = ".st-key-lecture h2:visible"
@@ -274,9 +274,19 @@ def test_headings_keep_their_place_beside_the_machine_and_every_body_has_its_ink
 
 
 def check_symbols_and_forces(page) -> None:
-    """Check that the symbol of a force highlights both of its arrows, and each arrow the symbol."""
+    """Check that the symbol of a force highlights both of its arrows, and each arrow the symbol.
+
+    At a step with forces the machine stands at its release, and afterwards it moves on.
+    """
+    settle(page)  # until the server knows the step
+    page.emulate_media(reduced_motion="no-preference")
+    playback = page.locator(".st-key-beside [data-do=play]")
+    expect(playback).to_have_accessible_name("Pause")
     page.keyboard.press("ArrowLeft")
     page.wait_for_function(f"{BESIDE}.querySelectorAll('.forces [data-line] text').length === 12")
+    expect(playback).to_have_accessible_name("Play")
+    place = f"(name) => {BESIDE}.querySelector('.moving ' + name).transform.baseVal[0].matrix.e"
+    until(page, f"() => ['.slab', '.block'].map({place}).reduce((slab, block) => slab - block) > 7.99")  # x₀ is 8 cm
     page.locator(".st-key-step-8 .katex-html:visible .mathnormal", has_text="F").nth(2).hover()
     lit = f"[...{BESIDE}.querySelectorAll('.forces .lit')].map((force) => force.dataset.line)"
     assert page.evaluate(lit) == ["top_block top", "top_block block"]
@@ -287,6 +297,8 @@ def check_symbols_and_forces(page) -> None:
     # A step without friction forces shows none.
     page.keyboard.press("ArrowLeft")
     page.wait_for_function(f"getComputedStyle({BESIDE}.querySelector('.forces')).display === 'none'")
+    expect(playback).to_have_accessible_name("Pause")
+    page.emulate_media(reduced_motion="reduce")
 
 
 def check_projector(page) -> None:
