@@ -34,7 +34,7 @@ _SEVERAL = {2: "several-2", 3: "several-3"}
 _LOADED = "lesson_loaded"
 """Session state: the stop whose machine was last loaded into the sliders, and whether its machine was running."""
 _OBSERVED = "lesson_observed"
-"""Session state: the stop whose machine the reader has just started. Its result waits for the moment of the question."""
+"""Session state: the stop whose machine the reader has just started. Its result waits for the question's moment."""
 
 
 def load_machine(stop: Stop, running: bool) -> None:

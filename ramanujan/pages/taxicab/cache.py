@@ -117,8 +117,7 @@ def machines() -> tuple[BodyChoice, ...]:
 
 @cache
 def small_targets() -> tuple[BodyChoice, ...]:
-    """Return the paper's machine with each target p/q that it reaches, p and q up to `SMALL_PART`, in ascending order.
-    """
+    """Return the paper's machine with each target p/q that it reaches, p and q up to `SMALL_PART`, in order."""
     parts = range(1, SMALL_PART + 1)
     targets = {Fraction(p, q) for p in parts for q in parts}
     return tuple(replace(PAPER, target=target) for target in sorted(targets) if target < UPPER_LIMIT)

@@ -42,7 +42,8 @@ def draw_other_target() -> None:
                     "The target must be between 0 and {most}, the value for very light rollers. {p}/{q} is not, so "
                     "{old_p}/{old_q} is shown."
                 )
-                st.warning(sentence.format(most=cache.UPPER_LIMIT, p=p, q=q, old_p=target.numerator, old_q=target.denominator))
+                old_p, old_q = target.numerator, target.denominator
+                st.warning(sentence.format(most=cache.UPPER_LIMIT, p=p, q=q, old_p=old_p, old_q=old_q))
             describe_target(results)
         with figure, picture_column:
             draw_curve()
