@@ -243,7 +243,9 @@ def draw_step(setting: Setting, number: int) -> None:
     st.markdown(f"## {number}. {heading}\n\n{reason}")
     widgets.equations(f"{setting.route}_{number}", wide, narrow)
     if setting.is_lecture and not display_mode.is_projector() and named_forces(step.equations):
-        st.caption(_("At the release the forces are greatest, so the machine stands there. Play shows them change."))
+        with container("click", f"forces_{number}"):
+            hint = _("At the release the forces are greatest, so the machine stands there. Play shows them change.")
+            st.caption(hint)
     if step.key in ASKED and setting.is_lecture and not display_mode.is_projector():
         with st.container(key=f"try_link_{number}"):
             st.markdown(_("Would you like to work out a result on your own? [Try it yourself](#try)."))
