@@ -229,7 +229,7 @@ def test_the_stage_is_operated_by_keys_and_saved(visit, tmp_path):
     check_keys(page)
     page.get_by_role("button", name="Steps, speed, view").click()
     page.get_by_role("button", name="Step forward").click()
-    page.get_by_role("checkbox", name="Forces").check()
+    page.get_by_role("checkbox", name="Friction").check()
     next_frame(page)
     check_saved_stage(page, tmp_path)
     check_saved_curve(page, tmp_path)

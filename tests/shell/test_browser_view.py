@@ -26,7 +26,7 @@ def test_a_link_preserves_the_view(visit):
     }}"""
     page = visit("motion?m_prime=0.4&glide=3", figures=False)
     page.get_by_role("button", name="Steps, speed, view").click()
-    for name in ("Velocities", "Forces", "From the block"):
+    for name in ("Velocities", "Friction", "From the block"):
         page.get_by_role("checkbox", name=name).click()
     page.get_by_role("combobox", name="Speed").select_option("½×")
     for _ in range(31):

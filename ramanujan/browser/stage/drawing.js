@@ -114,6 +114,12 @@ export const CONTACTS = mapValues(FORMULAS.contact_force, (_force, contact) => {
   return { roller, other, side: other === "slab" ? 1 : -1 };
 });
 
+/** Whether a force, named by its contact and its body, acts on the roller of the contact. */
+export function isOnRoller(name) {
+  const [contact, body] = name.split(" ");
+  return CONTACTS[contact]?.roller === body;
+}
+
 // cm, by which a force is drawn beside its contact or the spring, so that opposite arrows do not overlap.
 const MAX_OFFSET = 1.5;
 
@@ -130,10 +136,10 @@ export function horizontalForces(values, place, shift) {
     forces[`${contact} ${other}`] = { body: other, x, y: y + side * offset, newtons: -friction };
   }
   // The spring's forces are drawn on their bodies, so that they do not cover it: a push begins at the spring, and a
-  // pull ends there. That on the slab is above the forces of the rollers.
+  // pull ends there. That on the slab is above the letters of the rollers' forces.
   const axis = place.slab.bottom + place.thick / 2, { slab, block } = FORMULAS.spring_force;
   const [from, to] = [place.slab.right + displaced.slab, place.riser + displaced.block], isPull = slab(values) > 0;
-  forces["spring slab"] = { body: "slab", x: from, y: axis + 1.85 * offset, newtons: slab(values), isPull };
+  forces["spring slab"] = { body: "slab", x: from, y: axis + 2.6 * offset, newtons: slab(values), isPull };
   forces["spring block"] = { body: "block", x: to, y: axis - 0.4 * offset, newtons: block(values), isPull };
   return forces;
 }

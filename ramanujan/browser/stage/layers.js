@@ -1,11 +1,11 @@
-// The layers with a tick box: energy bars by body, displacements, velocity arrows, horizontal forces, traces of the
-// rims, coordinates. Lengths are centimetres of the picture.
+// The layers with a tick box: energy bars by body, displacements, velocity arrows, friction, traces of the rims,
+// coordinates. Lengths are centimetres of the picture.
 
 import { fill, fixed, number, withUnit } from "../sentences.js";
 import { drawCoordinates } from "./coordinates.js";
 import {
   BODIES, CM, CONTACTS, ROLLERS, anchors, bodyNames, displacementArrow, displacements, forceArrow, frameValue, headOf,
-  horizontalForces, rimTrace, roundBelow, velocityArrow,
+  horizontalForces, isOnRoller, rimTrace, roundBelow, velocityArrow,
 } from "./drawing.js";
 import { FORMULAS } from "./formulas.js";
 import { mapValues, onePeriod } from "./motion.js";
@@ -15,7 +15,7 @@ import { WORDS } from "./texts.js";
 
 const TRACE_POINTS = 90;
 const PERIOD_POINTS = 24; // states of a period at which the largest speed and force are sampled
-const LONGEST = { speed: 1.5, force: 2.8 }; // length of the longest arrow, in radii of a roller
+const LONGEST = { speed: 1.5, friction: 1.5, spring: 4 }; // length of the longest arrow, in radii of a roller
 const SMALLEST_RADIUS = 8; // cm, the least unit of these lengths, so that the arrows of small rollers are visible
 const LONGEST_FORCE_HEAD = 2.7; // cm
 const SHORTEST_LETTERED = 1; // cm, the shortest force with a visible letter
@@ -65,15 +65,24 @@ export function makeLayers(root) {
 
   const velocity = (name, known) => FORMULAS.velocity[name](known) - frameValue(FORMULAS.velocity, known, seenFrom);
 
+  /**
+   * The forces that the layer shows: friction on the rollers, as in the figures. Beside equations it shows all forces.
+   */
+  const isDrawn = (name) => Boolean(data.forces) || isOnRoller(name);
+
   /** Set the scales of the arrows, cm per m/s and cm per newton, from the largest speed and forces of a period. */
   function findScales(states) {
     const largest = (values) => Math.max(...states.map((known) => Math.max(...values(known).map(Math.abs)))) || 1;
     const size = Math.max(place.R, SMALLEST_RADIUS);
-    const strengths = (forces) => Object.values(forces).map(({ newtons }) => newtons);
     const speed = largest((known) => BODIES.map((name) => velocity(name, known)));
-    const force = largest((known) => strengths(horizontalForces(known, place, 0)));
-    maxima = { speed, force };
-    unitLengths = { speed: (LONGEST.speed * size) / speed, force: (LONGEST.force * size) / force };
+    const friction = largest((known) => Object.values(mapValues(FORMULAS.contact_force, (force) => force(known))));
+    const spring = largest((known) => [FORMULAS.spring_force.slab(known)]);
+    maxima = { speed, force: friction };
+    const forBoth = Math.min(LONGEST.friction / friction, LONGEST.spring / spring);
+    unitLengths = {
+      speed: (LONGEST.speed * size) / speed,
+      force: size * (data.forces ? forBoth : LONGEST.friction / friction),
+    };
   }
 
   /** Draw a scale for each kind of arrow: an arrow of a round value, with the value. */
@@ -145,9 +154,10 @@ export function makeLayers(root) {
   }
 
   function drawForces(known, shift) {
-    const forces = horizontalForces(known, place, shift);
+    const forces = horizontalForces(known, place, shift), names = Object.keys(forces).filter(isDrawn);
     const head = Math.min(headOf(place.R), LONGEST_FORCE_HEAD);
-    for (const [name, { body, x, y, newtons, isPull }] of Object.entries(forces)) {
+    for (const name of names) {
+      const { body, x, y, newtons, isPull } = forces[name];
       const length = newtons * unitLengths.force;
       draw("forces", name, body, forceArrow(isPull ? x - length : x, y, length, head));
       if (data.forces) drawLetter(name, x, y, length);
@@ -160,18 +170,28 @@ export function makeLayers(root) {
     set(find(".slipping"), { transform: `translate(${x} ${-y})` });
   }
 
+  /** Make the letter of a force. That of a reaction needs no index, because its force is at the same contact. */
+  function makeLetter(name) {
+    const letter = element("text", {}, find(`.forces [data-line="${name}"]`));
+    const [symbol, index] = WORDS.contact_force[name.split(" ")[0]] ?? [];
+    letter.textContent = `${isOnRoller(name) ? "" : "−"}${symbol ?? ""}`;
+    if (isOnRoller(name)) element("tspan", { class: "subscript", dy: ".25em" }, letter).textContent = index;
+    return letter;
+  }
+
   /** Draw the letter of a force at the head of its arrow, as in the equations; draw the step's own forces strongly. */
   function drawLetter(name, x, y, length) {
-    const [force, body] = name.split(" "), { roller, side: contactSide } = CONTACTS[force] ?? {};
-    const letter = (letters[name] ??= element("text", {}, find(`.forces [data-line="${name}"]`)));
+    const [force] = name.split(" "), { roller, side: contactSide } = CONTACTS[force] ?? {};
+    const letter = (letters[name] ??= makeLetter(name));
     const side = length < 0 ? -1 : 1, isVisible = roller && Math.abs(length) > SHORTEST_LETTERED;
     // Each letter is clear of the outlines: away from the contact, and outside the rim of a roller.
-    const isOnRoller = body === roller, letterY = y + (isOnRoller ? -1 : 1) * (contactSide ?? 0) * LETTER.shift;
-    const inner = isOnRoller ? Math.abs(letterY - place.centre[roller][1]) - LETTER.half : place.R;
+    const onRoller = isOnRoller(name), letterY = y + (onRoller ? -1 : 1) * (contactSide ?? 0) * LETTER.shift;
+    const inner = onRoller ? Math.abs(letterY - place.centre[roller][1]) - LETTER.half : place.R;
     const rim = Math.sqrt(Math.max(0, place.R ** 2 - inner ** 2));
     set(letter, { x: x + side * (Math.max(Math.abs(length), rim) + GAP), y: -letterY });
     Object.assign(letter.style, { textAnchor: side < 0 ? "end" : "start", visibility: isVisible ? "" : "hidden" });
-    if (roller) letter.textContent = (isOnRoller ? "" : "−") + WORDS.contact_force[force][0];
+    // Between small rollers, an index would reach the next roller.
+    if (onRoller) letter.lastChild.style.display = place.R < SMALLEST_RADIUS ? "none" : "";
     letter.parentNode.classList.toggle("faint", !data.forces.includes(force));
   }
 
@@ -201,7 +221,6 @@ export function makeLayers(root) {
     const hasForces = Boolean(data.forces) || shown.has("forces");
     const atCentres = ["displacements", "arrows", "coordinates"];
     const hasArrowsAtCentres = atCentres.some((name) => shown.has(name)) || seenFrom === "block";
-    find(".machine").classList.toggle("with-forces", hasForces);
     find(".machine").classList.toggle("centred", hasForces && !data.forces && !hasArrowsAtCentres);
     isLayered = data.forces || data.velocities || [...shown].some((name) => name !== "energy");
     find(".machine").classList.toggle("layered", Boolean(isLayered));

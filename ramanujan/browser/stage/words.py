@@ -86,7 +86,7 @@ SENTENCES = {
     "slab_slider": _("Slab: compression x₀"),
     "each": _("mass m′ each"),
     "relative": _("{speed}, relative to the block"),
-    "strength": _("{force}: spring and friction"),
+    "strength": _("{force}: friction on the rollers"),
     "from_ground": _("Seen from the ground."),
     "from_block": _(
         "Seen from the block: the block stands still, and the ground moves. Velocities and traces are relative to the "
@@ -159,7 +159,7 @@ LAYERS = {
     "energy": (_("Energy"), _("Energy by body")),
     "displacements": (_("Displacements"), _("Displacement of each body from its place before the compression")),
     "arrows": (_("Velocities"), _("Velocity arrows")),
-    "forces": (_("Forces"), _("Contact forces and spring forces")),
+    "forces": (_("Friction"), _("Friction on each roller at its contacts")),
     "traces": (_("Traces"), _("Traces of the rims")),
     "coordinates": (_("Coordinates"), _("Coordinates, and what the bodies share")),
 }

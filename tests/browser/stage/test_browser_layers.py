@@ -60,6 +60,13 @@ def velocities(picture: Picture) -> dict[str, float]:
     return ground_velocities(picture.machine, picture.q_dot)
 
 
+def friction(picture: Picture) -> dict[str, float]:
+    """Return the friction on each roller, without the reactions on the other bodies."""
+    on_rollers = contact_forces(picture.machine, picture.q)
+    del on_rollers["spring"]
+    return {f"{contact} {contact.split('_')[0]}": force for contact, force in on_rollers.items()}
+
+
 def forces(picture: Picture) -> dict[str, float]:
     force = contact_forces(picture.machine, picture.q)
     spring = force.pop("spring")
@@ -125,11 +132,12 @@ def coordinates(picture: Picture, drawn: dict) -> Pairs:
     return pairs
 
 
+STRENGTH = "N: friction on the rollers"
 MARKS: dict[str, Callable[[Picture, dict], Pairs]] = {
     "energy": bars,
     "displacements": displacements,
     "arrows": arrows("arrows", "m/s", velocities),
-    "forces": arrows("forces", "N: spring and friction", forces),
+    "forces": arrows("forces", STRENGTH, friction),
     "traces": traces,
     "coordinates": coordinates,
 }
@@ -141,8 +149,14 @@ def wrong(pairs: Pairs, factor: float = 1.0) -> list[str]:
     return [name for name, (drawn, expected) in pairs.items() if abs(factor * drawn - expected) > PIXEL]
 
 
-LETTERS = {"hoop_slab": "S", "cylinder_slab": "S", "hoop_block": "F", "cylinder_block": "F", "top_block": "F"}
-"""Contact → the letter of its force on the roller, in the equations of Newton's route."""
+LETTERS = {
+    "hoop_slab": "Shoop",
+    "cylinder_slab": "Scylinder",
+    "hoop_block": "Fhoop",
+    "cylinder_block": "Fcylinder",
+    "top_block": "Ftop",
+}
+"""Contact → the letter of its force on the roller with its index, as in the equations of Newton's route."""
 LETTERED = """[...root.querySelectorAll(".forces [data-line]")].map((group) => {
   const text = group.querySelector("text"), { left, right } = text.getBoundingClientRect();
   return [group.dataset.line, text.style.visibility ? "" : text.textContent, (left + right) / 2,
@@ -159,14 +173,14 @@ def check_letters(picture: Picture) -> None:
     picture.bare.put(lambda: stage.publish(data, name=picture.name))
     for periods in (0.1, 0.6):
         drawn = picture.at(periods)
-        assert not wrong(MARKS["forces"](picture, drawn))
+        assert not wrong(arrows("forces", STRENGTH, forces)(picture, drawn))
         force = forces(picture)
         letters = picture.find(LETTERED)
         assert {name for name, *_ in letters} == force.keys()
         for name, letter, x, is_strong in letters:
             contact, body = name.split()
             on_roller = body == contact.split("_")[0]
-            assert letter == ("" if contact == "spring" else LETTERS[contact] if on_roller else f"−{LETTERS[contact]}")
+            assert letter == ("" if contact == "spring" else LETTERS[contact] if on_roller else f"−{LETTERS[contact][0]}")
             assert is_strong == (contact in own)
             tail, _y = drawn["forces"][name]["tail"]
             assert contact == "spring" or (x - tail) * force[name] > 0, name
@@ -214,6 +228,8 @@ def test_the_marks_of_every_layer_agree_with_the_core(bare):
                 if furthest > 2 * PIXEL:
                     assert wrong(pairs, -1)
                     assert wrong(pairs, 3)
+        released_forces = picture.at(0.0)["layers"]["forces"]["lines"].values()
+        assert max(abs(length(arrow)) for arrow in released_forces) > machine.radius * picture.pixels
     assert min(longest.values()) > 20 * PIXEL, longest
     check_letters(picture)
     check_displacements_from_the_block(picture)

@@ -402,6 +402,7 @@ def test_no_letter_is_covered_by_an_arrow_or_another_letter(picture, sample):
         letters: named(".moving text, .coordinates text, .scales text, .plain text"),
         heads: named(":is(.displacements, .arrows, .forces) .line, [data-mark=slab_value], [data-mark=x0_value]"),
         forces: named(".forces .line"),
+        own_letters: named(".forces text:not([style*=hidden])").filter(([letter]) => letter),
       }};
     }}"""
     releases = [(0.05, 0.04), (0.05, 0.12), (0.1, 0.08), (0.2, 0.12)]
@@ -421,6 +422,24 @@ def test_no_letter_is_covered_by_an_arrow_or_another_letter(picture, sample):
     picture.layers(*stage.LAYERS)
     letters = picture.page.evaluate(boxes)["letters"]
     assert not [(a, b) for (a, first), (b, second) in combinations(letters, 2) if overlap(first, second, 0.35)]
+    check_lettered_forces(picture, boxes)
+
+
+def check_lettered_forces(picture, boxes: str) -> None:
+    """Check that the letters of forces with their indices are clear of all letters and of each other's arrows."""
+    picture.layers("coordinates")
+    for m_prime, R in product((0.05, 1.0, 8.0), (0.05, 0.1)):
+        machine = Oscillator(1.0, m_prime, 10.0, R)
+        picture.show(machine, 0.08)
+        data = stage.payload(machine, 0.08, forces=("spring",))
+        picture.bare.put(lambda data=data: stage.publish(data, name=picture.name))
+        for periods in (0.0, 0.35, 0.6):
+            picture.at(periods)
+            seen = picture.page.evaluate(boxes)
+            for (a, first), (b, second) in combinations(seen["letters"] + seen["own_letters"], 2):
+                assert not overlap(first, second, 0.35), (m_prime, R, periods, a, b)
+            for letter, box in seen["own_letters"]:
+                assert not [name for name, arrow in seen["forces"] if overlap(box, arrow, 0.25)], (m_prime, R, letter)
 
 
 def overlap(a: list[float], b: list[float], inset: float) -> bool:
