@@ -6,6 +6,7 @@
     work_precision   error and cost of the integrators and of the closed form; the cheapest run for a tolerance
     phase            error of the phase after 1 … 1e15 periods
     extremes         equivalent formulas for Ω² with very large and very small parameters
+    digits           correct digits of two equivalent formulas, while a parameter moves to an extreme
     general_solvers  eigenvalue solvers that use only the matrices M and K
     arithmetics      time and error of Ω² in float64, float32, integers, fractions and 50 digits
 

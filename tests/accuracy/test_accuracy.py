@@ -13,6 +13,7 @@ from hypothesis import strategies as st
 
 from ramanujan import Oscillator
 from ramanujan.accuracy.arithmetics import measure_arithmetics
+from ramanujan.accuracy.digits import DIGITS, EXPERIMENTS, compare
 from ramanujan.accuracy.extremes import FORMS, sweep_forms
 from ramanujan.accuracy.general_solvers import SOLVERS, sweep_solvers
 from ramanujan.accuracy.measurement import measure
@@ -20,6 +21,7 @@ from ramanujan.accuracy.phase import phase_errors
 from ramanujan.accuracy.runs import error_history, seconds_per_step
 from ramanujan.accuracy.work_precision import find_cheapest_runs, work_precision
 from ramanujan.physics.integrators import METHODS, trajectory
+from ramanujan.physics.motion import InitialState, motion
 from tests.checks.reference import frequency_squared
 
 pytestmark = pytest.mark.xdist_group("accuracy")
@@ -256,3 +258,27 @@ def test_a_duration_is_measured_by_several_calls():
     seconds = measure(lambda: calls.append(1))
     assert len(calls) > 3
     assert seconds > 0
+
+
+def test_only_the_plain_formula_loses_digits_and_the_other_one_is_that_of_the_core():
+    for experiment in EXPERIMENTS:
+        samples = compare(experiment)
+        assert {sample.used.digits for sample in samples} == {DIGITS}
+        assert min(sample.plain.digits for sample in samples) == 0 < DIGITS == max(s.plain.digits for s in samples)
+        for sample in samples:
+            # A value with n correct digits rounds to the same n digits as the exact one, or to neighbours.
+            for digits, value in ((sample.plain.digits, sample.plain.value), (DIGITS, sample.used.value)):
+                if digits:
+                    assert abs(Fraction(value) - _fraction(sample.truth)) <= _fraction(sample.truth) / 10**digits / 2
+    # X = κRφ₀(1 − cos Ωt), from X = 0.
+    machine = Oscillator()
+    samples = compare("time")
+    q, _q_dot = motion(machine, InitialState(phi=-1.0), [sample.x * machine.period for sample in samples])
+    share = q[0] / (machine.block_coupling * machine.radius)
+    np.testing.assert_allclose(share, [sample.used.value for sample in samples], rtol=2e-15)
+
+
+def _fraction(number) -> Fraction:
+    """Return an mpmath number as a fraction."""
+    sign, mantissa, exponent, _bits = number._mpf_
+    return Fraction(-mantissa if sign else mantissa) * Fraction(2) ** exponent

@@ -9,12 +9,12 @@ import threading
 from collections.abc import Callable
 from dataclasses import replace
 from functools import partial
-from typing import NamedTuple
 
 import streamlit as st
 
 from ramanujan import Oscillator
 from ramanujan.accuracy.arithmetics import Price, measure_arithmetics
+from ramanujan.accuracy.digits import compare
 from ramanujan.accuracy.extremes import Sweep, sweep_forms
 from ramanujan.accuracy.general_solvers import EigenSweep, sweep_solvers
 from ramanujan.accuracy.phase import PhaseErrors, phase_errors
@@ -27,35 +27,12 @@ from ramanujan.accuracy.work_precision import (
     diagram_curve,
     measure_closed_form,
 )
-from ramanujan.figures import MASS_RATIO
 from ramanujan.pages.speed import downsampling
 from ramanujan.pages.speed.downsampling import SampledRun
 from ramanujan.physics.integrators import METHODS
 from ramanujan.shell.shared_cache import responsive
 from ramanujan.text.translation import _
 
-
-class SweepVariable(NamedTuple):
-    """The variable of a sweep: its symbol, the title of its axis, and the names of the ends of that axis."""
-
-    symbol: str
-    title: str
-    ends: tuple[str, str]
-
-
-SWEEP_VARIABLES = {
-    "ratio": SweepVariable(
-        "ε",
-        _("{mass_ratio}, with <i>m</i> = 1 kg and <i>k</i> = 1 N/m").format(mass_ratio=MASS_RATIO),
-        (_("light rollers"), _("heavy rollers")),
-    ),
-    "scale": SweepVariable(
-        "s",
-        _("scale <i>s</i> = <i>m</i>/kg = <i>m</i>′/kg = <i>k</i>/(N/m)"),
-        (_("all masses tiny"), _("all masses huge")),
-    ),
-}
-"""Name of a sweep → its variable."""
 
 _CURVES = [(method, dtype) for dtype in DTYPES for method in METHODS]
 """The curves of the work-precision diagram."""
@@ -66,6 +43,8 @@ _MEASURING = threading.Lock()
 _measure_step = functools.cache(seconds_per_step)
 _measure_closed_form = functools.cache(measure_closed_form)
 _measure_arithmetics = functools.cache(measure_arithmetics)
+
+compare_digits = functools.cache(compare)
 
 
 @st.cache_data(show_spinner=False, max_entries=512)

@@ -1,102 +1,163 @@
-"""The sections of page 5 on extremes: large and small numbers, long times, general solvers, kinds of arithmetic."""
+"""The sections of page 5 on extremes: lost digits, long times, general solvers, kinds of arithmetic."""
 
 import math
-from collections.abc import Sequence
 from html import escape
+from typing import Any
 
 import numpy as np
 import streamlit as st
 
 from ramanujan import Oscillator
 from ramanujan.accuracy.arithmetics import MACHINE_COUNT
-from ramanujan.accuracy.extremes import FORMS, RIGHT, USED_FORM, Sweep
+from ramanujan.accuracy.digits import DIGITS, Evaluation, Sample
+from ramanujan.accuracy.extremes import FORMS, RIGHT, USED_FORM
 from ramanujan.accuracy.measurement import REFERENCE
+from ramanujan.browser.components import digits
+from ramanujan.browser.containers import container
 from ramanujan.figures import speed_page as figures
 from ramanujan.pages.speed import cache, verdicts
 from ramanujan.shell import address, drawings, theme, widgets
 from ramanujan.shell.display_mode import columns
-from ramanujan.text.numerals import filled, number, power_of_ten
+from ramanujan.text.numerals import DECIMAL, filled, number, superscript
 from ramanujan.text.translation import _
 
-SWEEPS = {
-    "ratio_float64": _("mass ratio, 16 digits"),
-    "ratio_float32": _("mass ratio, 7 digits"),
-    "scale_float64": _("scale, 16 digits"),
-    "scale_float32": _("scale, 7 digits"),
+TITLE = _("Equal on paper, not in a computer")
+EXPERIMENTS = {"time": _("short times"), "ratio": _("mass ratio"), "scale": _("all masses")}
+EXPERIMENT = address.Choice("extreme", EXPERIMENTS, "time")
+_ANSWERS = {"plain": _("the first"), "used": _("the second"), "both": _("both")}
+PREDICTIONS = {name: address.Choice(f"predict_{name}", _ANSWERS) for name in EXPERIMENTS}
+
+_QUESTIONS = {
+    "time": _(
+        "After a time *t* the spring has lost the share 1 − cos Ω*t* of its compression. On paper this equals "
+        "2 sin²(Ω*t*/2). Which formula is still right after 10⁻⁹ of a period?"
+    ),
+    "ratio": _(
+        "The rollers become 10²⁰⁰ times as heavy as the other bodies. On paper both formulas for Ω² are equal. Which "
+        "one is still right?"
+    ),
+    "scale": _(
+        "All masses and *k* become 10²⁰⁰ times smaller, so Ω² remains the same. On paper both formulas for Ω² are "
+        "equal. Which one is still right?"
+    ),
 }
-"""A key of `cache.SWEEP_VARIABLES` and a precision → the label of the sweep."""
-SWEEP = address.Choice("sweep", SWEEPS, "ratio_float64")
+_LABELS = {"time": _("Time after the release, in periods"), "ratio": "ε = m′/m", "scale": "m/kg = m′/kg = k/(N/m)"}
+_STEPS = {"time": ("cos Ωt", "sin(Ωt/2)"), "ratio": ("(m′ + m)²", "ε"), "scale": ("(m′ + m)²", "ε")}
+"""Experiment → the critical steps of both formulas."""
+_SWEEPS = {
+    "ratio": ("ε", _("**Mass ratio** ε = *m*′/*m*, with *m* = 1 kg and *k* = 1 N/m")),
+    "scale": ("s", _("**Scale** *s* = *m*/kg = *m*′/kg = *k*/(N/m)")),
+}
+"""Name of a sweep → the symbol of its variable, and the title of its table."""
+_START = {"time": -1, "ratio": 75, "scale": 75}
+"""Experiment → the first sample shown, where both formulas are right."""
+
+# The note on a sample, by what the critical step of the plain formula returns.
+_AGREE = _("Both are right to {digits} digits. Now drag the slider to each of its ends.")
+_PREDICT = _("Choose an answer first. Then drag the slider.")
+_NOTES = {
+    "time": {
+        "losing": _(
+            "The cosine begins with more and more nines. The subtraction removes them, and few digits remain. The sine "
+            "keeps all its digits."
+        ),
+        "vanished": _("The cosine has become exactly 1, so the subtraction leaves nothing. The second formula does not subtract."),
+    },
+    "mass": {
+        "losing": _("The square is so small that the computer no longer stores all its digits."),
+        "vanished": _(
+            "The square is smaller than the smallest number in float64, so it became 0. The result looks right, but it is "
+            "wrong. The second formula squares no mass."
+        ),
+        "infinite": _(
+            "The square is larger than {largest:2}, the largest number in float64, so it became ∞. Division by ∞ gives "
+            "0. The second formula squares no mass."
+        ),
+    },
+}
 
 
-def draw_forms() -> list[Sweep]:
-    """Draw the forms of Ω² over the range of floating point, the worst at the top; return the selected sweep."""
-    place = st.container(key="forms")
-    with place:
-        with st.container(key="forms_head"):
-            st.header(_("Very large and small numbers"), anchor=False)
-            name = widgets.segmented_control(
-                SWEEP, _("What is varied, and the precision"), label_visibility="collapsed"
-            )
-        sentence = _("On paper all {count} formulas are equal. Which survive in a computer?")
-        st.markdown(filled(sentence, count=len(FORMS)))
-        with st.skeleton(height=400):
-            sweeps, _solvers = cache.sweeps()
-    sweep_name, _underscore, dtype = name.partition("_")
-    selected = [sweep for sweep in sweeps if sweep.sweep_name == sweep_name and sweep.dtype == dtype]
-    selected.sort(key=_rank)
-    with place:
-        st.html(_forms_html(selected, cache.SWEEP_VARIABLES[sweep_name]))
-        st.markdown(
-            _(
-                "This app uses the last one: it divides m′ by m first and never squares a mass, so no step leaves the "
-                "range of the numbers."
-            )
-        )
-    return selected
+def draw_digits() -> None:
+    """Draw a question on two formulas, and a slider to the extremes, which moves after the prediction."""
+    with st.container(key="digits_head"):
+        st.header(TITLE, anchor=False)
+        name = widgets.segmented_control(EXPERIMENT, _("What becomes extreme"), label_visibility="collapsed")
+    with container("lead", "digits"):
+        st.markdown(_QUESTIONS[name])
+    prediction = widgets.pills(PREDICTIONS[name], _("Your prediction"), label_visibility="collapsed")
+    digits.mount(f"digits_{name}", _payload(name, is_predicted=prediction is not None))
 
 
-def _rank(sweep: Sweep) -> tuple[float, bool]:
-    """Return the share of right values, and whether the app uses this form, so that the best form is the last."""
-    return float(np.mean(sweep.verdict == RIGHT)), sweep.form == USED_FORM
+def _payload(name: str, *, is_predicted: bool) -> dict[str, Any]:
+    """Return the samples of an experiment in texts, for `digits.mount`."""
+    samples = cache.compare_digits(name)
+    notes = {"right": _AGREE if is_predicted else _PREDICT} | _NOTES["time" if name == "time" else "mass"]
+    numbers = {"digits": DIGITS, "largest": float(np.finfo(float).max)}
+    used = _("used by this app") if is_predicted else ""
+    if name == "time":
+        formulas = "1 − cos Ωt", "2 sin²(Ωt/2)"
+    else:
+        formulas = FORMS["paper"].formula, FORMS[USED_FORM].formula
+    kinds = list(notes)
+    return {
+        "label": _LABELS[name],
+        "start": _START[name] % len(samples),
+        "locked": not is_predicted,
+        "head": [_("Formula"), _("Critical step"), _("Result"), _("Correct digits")],
+        "rows": [
+            escape(formulas[0]),
+            f"{escape(formulas[1])} <small>{used}</small>",
+            _("exact"),
+        ],
+        "all": DIGITS,
+        "samples": [_describe_sample(name, sample, kinds) for sample in samples],
+        "notes": [filled(note, **numbers) for note in notes.values()],
+    }
 
 
-def _forms_html(sweeps: Sequence[Sweep], variable: cache.SweepVariable) -> str:
-    """Return the forms with their strips, above an axis of powers of ten."""
-    rows = "".join(map(_form_html, sweeps))
-    first, last = (math.log10(sweeps[0].x[index]) for index in (0, -1))
-    step = 10 if last < 100 else 100
-    ticks = []
-    for exponent in range(math.ceil(first / step) * step, math.floor(last / step) * step + 1, step):
-        place = 100 * (exponent - first) / (last - first)
-        ticks.append(f'<i style="--at:{place:.1f}%">{power_of_ten(exponent) if exponent else 1}</i>')
-    least, greatest = variable.ends
-    axis = f'<div class="ticks">{"".join(ticks)}</div>'
-    title = f'<p class="axis"><span>← {least}</span> <span>{variable.title}</span> <span>{greatest} →</span></p>'
-    return f"{rows}{axis}{title}"
+def _describe_sample(name: str, sample: Sample, kinds: list[str]) -> list[Any]:
+    """Return the texts of a sample: its x, the cells of each row, and the number of its note."""
+    cells = []
+    for step, evaluation in zip(_STEPS[name], (sample.plain, sample.used), strict=True):
+        value = number(evaluation.step, 16 if name == "time" else 6, strip=True)
+        cells.append([f"{step} = {value}", *_split_digits(evaluation), evaluation.digits])
+    exact = Evaluation(0.0, float(sample.truth), DIGITS)
+    critical = sample.plain.step
+    kind = "right"
+    if math.isinf(critical):
+        kind = "infinite"
+    elif critical in (0, 1) and sample.plain.digits == 0:
+        kind = "vanished"
+    elif sample.plain.digits < DIGITS - 1:
+        kind = "losing"
+    return [number(sample.x, 2, strip=True), [*cells, ["", *_split_digits(exact), None]], kinds.index(kind)]
 
 
-def _form_html(sweep: Sweep) -> str:
-    """Return the name of a form, its formula, and its strip."""
-    form = FORMS[sweep.form]
-    title = _("{form}, used by this app") if sweep.form == USED_FORM else "{form}"
-    heading = f"<b>{escape(title.format(form=form.title))}</b> <span>Ω² = {escape(form.formula)}</span>"
-    parts = [
-        f'<span class="{part.verdict}" style="flex-grow:{part.end - part.start:.2f}" title="{part.label}">'
-        f"<span>{part.label}</span></span>"
-        for part in verdicts.strip(sweep)
-    ]
-    return f'<p>{heading}</p><div class="strip">{"".join(parts)}</div>'
+def _split_digits(evaluation: Evaluation) -> tuple[str, str, str]:
+    """Return the correct digits of a value, its wrong digits, and its power of ten."""
+    if evaluation.value == 0 or not math.isfinite(evaluation.value):
+        return "", number(evaluation.value), ""
+    mantissa, _e, exponent = f"{abs(evaluation.value):.{DIGITS - 1}e}".partition("e")
+    end = evaluation.digits + (evaluation.digits > 1)  # the decimal mark
+    mantissa = mantissa.replace(".", DECIMAL)
+    return mantissa[:end], mantissa[end:], f"×10{superscript(int(exponent))}" if int(exponent) else ""
 
 
-def list_failures(sweeps: Sequence[Sweep]) -> None:
-    """Draw a table of the failures of each form."""
+def list_failures() -> None:
+    """Draw a table of the failures of each form of Ω², in both precisions."""
     sentence = _(
         "A computer’s numbers end at {double} in float64 and at {single} in float32. Digits are counted against a "
         "result that was computed with {digits} digits."
     )
     double, single = (number(float(np.finfo(dtype).max)) for dtype in (np.float64, np.float32))
     st.markdown(sentence.format(double=double, single=single, digits=REFERENCE.dps))
-    widgets.table(verdicts.failure_table(sweeps, cache.SWEEP_VARIABLES[sweeps[0].sweep_name].symbol), "forms")
+    forms, _solvers = cache.sweeps()
+    for sweep_name, (symbol, title) in _SWEEPS.items():
+        st.markdown(title)
+        selected = [sweep for sweep in forms if sweep.sweep_name == sweep_name]
+        # The form with the largest share of right values is the last one.
+        selected.sort(key=lambda sweep: float(np.mean(sweep.verdict == RIGHT)))
+        widgets.table(verdicts.failure_table(selected, symbol), f"forms_{sweep_name}")
 
 
 def draw_phase_errors(machine: Oscillator) -> None:

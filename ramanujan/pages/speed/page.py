@@ -5,6 +5,7 @@ import math
 import numpy as np
 import streamlit as st
 
+from ramanujan.accuracy.extremes import FORMS
 from ramanujan.accuracy.work_precision import PERIODS
 from ramanujan.browser.containers import container
 from ramanujan.figures import speed_page as figures
@@ -26,7 +27,7 @@ TOPICS = {
 TOPIC = address.Choice("topic", TOPICS, "race")
 ERRORS = {"phase": _("Phase"), "energy": _("Energy")}
 ERROR = address.Choice("error", ERRORS, "phase")
-URL_PARAMETERS = (TOPIC, METHOD, STEPS, TRIES, ERROR, costs.COST, costs.TOLERANCE, limits.SWEEP)
+URL_PARAMETERS = (TOPIC, METHOD, STEPS, TRIES, ERROR, costs.COST, costs.TOLERANCE, limits.EXPERIMENT, *limits.PREDICTIONS.values())
 
 # Error → title and limits of its axis. Streamlit would show a string below the assignment, because it runs this file.
 _AXES = {
@@ -115,11 +116,10 @@ def draw_price() -> None:
 
 def draw_limits() -> None:
     """Draw what becomes of Ω² for very large and small masses, and of the phase after very many periods."""
-    with slide("forms", _("Very large and small numbers")):
-        forms = limits.draw_forms()
+    with slide("digits", limits.TITLE):
+        limits.draw_digits()
     if not display_mode.is_projector():
-        with display_mode.fold("forms", _("Where each form fails")):
-            limits.list_failures(forms)
+        folded("forms", _("Where each of {count} forms of Ω² fails").format(count=len(FORMS)), limits.list_failures)
     with slide("periods", _("Very many periods")):
         limits.draw_phase_errors(sidebar.oscillator())
     solver = _("A general eigen-solver, which does not know this machine")

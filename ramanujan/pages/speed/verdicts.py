@@ -2,7 +2,6 @@
 
 import math
 from collections.abc import Iterable, Mapping, Sequence
-from dataclasses import dataclass
 from itertools import pairwise
 
 import numpy as np
@@ -21,16 +20,6 @@ _VISIBLE = 0.05
 """Phase error [rad] that is visible between two machines side by side: about a hundredth of a full turn."""
 
 Table = list[tuple[str, ...]]
-
-
-@dataclass(frozen=True)
-class Part:
-    """A part of a form's strip between two exponents of ten, with the verdict on its values, and a label."""
-
-    start: float
-    end: float
-    verdict: str
-    label: str
 
 
 def describe_method(method: Method) -> str:
@@ -221,14 +210,15 @@ def choice_table(choices: Iterable[Run]) -> Table:
 
 def failure_table(sweeps: Sequence[Sweep], symbol: str) -> Table:
     """List where and how each form fails; `symbol` is that of the variable of the sweep."""
-    rows: Table = [(_("Form"), _("Where it fails"), _("What it returns there"))]
+    rows: Table = [(_("Form of Ω²"), _("Precision"), _("Where it fails"), _("What it returns there"))]
     for sweep in sweeps:
-        title = FORMS[sweep.form].title
+        form = FORMS[sweep.form]
+        head = f"**{form.title}:** {form.formula}", sweep.dtype
         failures = [stretch for stretch in sweep.stretches if stretch.verdict != RIGHT]
         for stretch in failures:
-            rows.append((title, _describe_range(stretch, symbol), _describe_value(sweep, stretch)))
+            rows.append((*head, _describe_range(stretch, symbol), _describe_value(sweep, stretch)))
         if not failures:
-            rows.append((title, _("nowhere"), _describe_value(sweep, sweep.stretches[0])))
+            rows.append((*head, _("nowhere"), _describe_value(sweep, sweep.stretches[0])))
     return rows
 
 
@@ -236,21 +226,6 @@ def _describe_range(stretch: Stretch, symbol: str) -> str:
     """Return the range of a stretch in words."""
     template = _("{symbol} = {first}") if stretch.first == stretch.last else _("{symbol} from {first} to {last}")
     return template.format(symbol=symbol, first=number(float(stretch.first)), last=number(float(stretch.last)))
-
-
-def strip(sweep: Sweep) -> list[Part]:
-    """Return the stretches of a form as parts of its strip in the figure. The axis is logarithmic."""
-    stretches = sweep.stretches
-    ends = [*(stretch.first for stretch in stretches[1:]), stretches[-1].last]
-    return [
-        Part(
-            start=math.log10(stretch.first),
-            end=math.log10(end),
-            verdict=stretch.verdict,
-            label=_describe_value(sweep, stretch),
-        )
-        for stretch, end in zip(stretches, ends, strict=True)
-    ]
 
 
 def _describe_value(sweep: Sweep, stretch: Stretch) -> str:

@@ -49,6 +49,14 @@ def test_a_run_is_drawn_no_control_is_cut_and_the_diagram_is_measured(visit):
     expect(result).to_be_visible()
     expect(growth).to_have_css("visibility", "visible")
     page.get_by_role("tab", name="Limits").click()
+    digits = page.locator(".st-key-digits_time")
+    expect(digits.get_by_role("slider")).to_be_disabled()
+    page.get_by_role("radio", name="both").or_(page.get_by_role("button", name="both")).click()
+    expect(digits.get_by_text("Both are right to 15 digits.")).to_be_visible()
+    digits.get_by_role("slider").press("Home")
+    expect(digits.locator("tbody .count span")).to_have_text(["0", "15", ""])
+    expect(digits.get_by_text("exactly 1")).to_be_visible()
+    assert page.evaluate(CUT) == []
     page.get_by_text("A general eigen-solver").click()
     page.get_by_text("Negative or complex", exact=True).wait_for(timeout=60_000)
     assert page.evaluate(CUT) == []

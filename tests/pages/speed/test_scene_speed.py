@@ -1,7 +1,6 @@
 """Page 5: its texts agree with the measurements, and its work is divided into interruptible parts."""
 
 import functools
-import html
 import json
 import math
 import re
@@ -18,7 +17,7 @@ from streamlit.testing.v1 import AppTest
 
 from ramanujan import Oscillator, lesson
 from ramanujan.accuracy import work_precision
-from ramanujan.accuracy.extremes import FORMS, USED_FORM, sweep_forms
+from ramanujan.accuracy.extremes import FORMS, USED_FORM
 from ramanujan.accuracy.phase import phase_errors
 from ramanujan.accuracy.runs import error_history
 from ramanujan.accuracy.work_precision import WorkPrecision, find_cheapest_runs
@@ -187,14 +186,41 @@ def test_an_interrupted_measurement_shows_its_progress_and_continues(app, monkey
 
 
 def test_the_result_of_the_papers_form_at_the_edge_is_stated(app):
-    page(app, topic="limits", sweep="scale_float64")
+    app.session_state["fold_forms"] = True
+    page(app, topic="limits")
     s = 1e-200
     wrong = 8 * s / (7 * s + 8 * s - 8 * (s + s) ** 2 / (7 * s / 3 + 2 * s))
     right = frequency_squared(1, 1, 1)
     assert abs(wrong - right) > 0.1  # negative control: a wrong but plausible value
-    assert f"the paper’s form | s from {number(1e-300)} to " in words(app)
+    paper, used = FORMS["paper"], FORMS[USED_FORM]
+    assert f"**{paper.title}:** {paper.formula} | float64 | s from {number(1e-300)} to " in words(app)
     assert f"| gives {number(wrong, 4)}" in words(app)
-    assert "effective mass | nowhere" in words(app)
+    for dtype in ("float32", "float64"):
+        assert words(app).count(f"**{used.title}:** {used.formula} | {dtype} | nowhere") == 2
+
+
+def test_the_digits_of_both_formulas_wait_for_a_prediction_and_then_show_where_the_first_one_fails(app):
+    def data() -> dict:
+        [element] = [each.proto for each in app.get("bidi_component") if "digits" in each.proto.component_name]
+        return json.loads(element.json)
+
+    page(app, topic="limits")
+    for name, asked, note in (("time", "10⁻⁹", "nothing"), ("ratio", "10²⁰⁰", "gives 0"), ("scale", "10⁻²⁰⁰", "wrong")):
+        app.segmented_control(key="extreme").set_value(name).run()
+        before = data()
+        assert before["locked"]
+        assert not any("used by" in row for row in before["rows"])
+        app.button_group(key=f"predict_{name}").set_value("both").run()
+        shown = data()
+        assert not shown["locked"]
+        assert "used by this app" in shown["rows"][1]
+        # At the start both are right. At the asked extreme, the first one has no correct digit.
+        _x, cells, _note = shown["samples"][shown["start"]]
+        assert [digits for *_texts, digits in cells] == [15, 15, None]
+        [(cells, number_of_note)] = [sample[1:] for sample in shown["samples"] if sample[0] == asked]
+        assert [digits for *_texts, digits in cells] == [0, 15, None]
+        assert note in shown["notes"][number_of_note]
+        assert cells[1][1:4] == cells[2][1:4], "the right digits are those of the exact value"
 
 
 # ---- the motion on the stage
@@ -285,36 +311,6 @@ def test_simultaneous_requests_share_one_computation_and_measurements_take_turns
 
 
 # ---- figures
-
-
-def test_a_strip_shows_where_its_form_is_right_and_its_other_results(app):
-    sweeps = [s for s in sweep_forms() if (s.sweep_name, s.dtype) == ("scale", "float64")]
-    strips = {FORMS[sweep.form].title: verdicts.strip(sweep) for sweep in sweeps}
-    for sweep, parts in zip(sweeps, strips.values(), strict=True):
-        # A strip covers the whole range without a gap, and agrees with the sweep at every sample.
-        assert (parts[0].start, parts[-1].end) == pytest.approx((-300, 300))
-        assert [part.start for part in parts[1:]] == [part.end for part in parts[:-1]]
-        for x, verdict in zip(sweep.x, sweep.verdict, strict=True):
-            [part] = [each for each in parts if each.start - 0.01 <= math.log10(x) < each.end - 0.01][:1] or parts[-1:]
-            assert part.verdict == verdict
-    # The page shows all forms with their formulas and parts, the worst first, that of the app last.
-    page(app, topic="limits", sweep="scale_float64")
-    [drawing] = [element.proto.body for element in app.get("html") if 'class="strip"' in element.proto.body]
-    names = [name.removesuffix(", used by this app") for name in re.findall("<b>(.+?)</b>", drawing)]
-    assert sorted(names) == sorted(strips)
-    assert names[-1] == FORMS[USED_FORM].title
-    assert drawing.count("used by this app") == 1
-    shares = {FORMS[sweep.form].title: float(np.mean(sweep.verdict == "right")) for sweep in sweeps}
-    assert [shares[name] for name in names] == sorted(shares.values())
-    for row, name in zip(drawing.split("<p>")[1:], names, strict=True):
-        [form] = [form for form in FORMS.values() if form.title == name]
-        assert f"Ω² = {html.escape(form.formula)}<" in row
-        drawn = re.findall(r'class="(\w+)" style="flex-grow:([\d.]+)" title="(.+?)"', row)
-        assert [(verdict, label) for verdict, _width, label in drawn] == [
-            (part.verdict, part.label) for part in strips[name]
-        ]
-        assert sum(float(width) for _verdict, width, _label in drawn) == pytest.approx(600, abs=0.1)
-    assert [part.label for part in strips["the paper’s form"]][-1] == "gives 0"
 
 
 def test_a_number_under_the_pointer_is_written_as_in_a_sentence():
