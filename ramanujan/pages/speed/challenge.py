@@ -6,7 +6,7 @@ Question and verdict are those of the lesson’s task. The work–precision diag
 import streamlit as st
 
 from ramanujan import lesson
-from ramanujan.accuracy.work_precision import PERIODS, STEPS_PER_PERIOD
+from ramanujan.accuracy.work_precision import PERIODS, STEPS_PER_PERIOD, Run, diagram_curve
 from ramanujan.browser import stage
 from ramanujan.browser.containers import container
 from ramanujan.lesson import Attempt
@@ -15,6 +15,7 @@ from ramanujan.pages.speed import cache, downsampling
 from ramanujan.physics.integrators import METHODS
 from ramanujan.shell import address, display_mode, sidebar, stages, widgets
 from ramanujan.shell.sections import tasks
+from ramanujan.text.numerals import filled, number
 from ramanujan.text.translation import _
 
 TASK = lesson.find_task("cheapest")
@@ -31,8 +32,9 @@ _ANIMATION = 12.0
 
 
 def draw_controls() -> None:
-    """Draw the method, its steps, and the button that starts the race."""
-    with st.container(horizontal=True, vertical_alignment="bottom", gap="xsmall", key="race_controls"):
+    """Draw the method, its steps, the button that starts the race, and the best run so far."""
+    side = st.container(key="race_side", gap="xsmall")
+    with side.container(horizontal=True, vertical_alignment="bottom", gap="xsmall", key="race_controls"):
         # TRANSLATORS: {idea} continues the name of a method: velocity Verlet uses the velocity at mid-step.
         template = _("{method}: {idea}")
         labels = {name: template.format(method=method.title, idea=method.idea) for name, method in METHODS.items()}
@@ -42,6 +44,8 @@ def draw_controls() -> None:
         steps = widgets.count(STEPS, _("Steps per period"), width="stretch")
         attempt = method, steps
         st.button(_("Run"), key="run", type="primary", on_click=_add_attempt, args=attempt)
+    with side:
+        draw_best_run()
 
 
 def draw_machine() -> None:
@@ -65,7 +69,7 @@ def draw_machine() -> None:
 
 
 def draw_verdict() -> None:
-    """Draw the verdict on the last run, or before the first run what to look for."""
+    """Draw the verdict on the last run, or before the first run what a run does."""
     with st.container(key="race_result"):
         if address.update(TRIES):
             method, steps = tried_runs()[-1]
@@ -75,12 +79,38 @@ def draw_verdict() -> None:
             st.caption(sentence.format(periods=PERIODS))
 
 
+def draw_best_run() -> None:
+    """Draw the run with the fewest evaluations whose error was allowed."""
+    with st.container(key="race_best"):
+        best = find_best_run()
+        if best is None:
+            sentence = _("Your best run: none yet. The error must not exceed {goal} of a turn.")
+            st.markdown(sentence.format(goal=number(WITHIN, 1)))
+            return
+        sentence = _("Your best run: **{cost} evaluations**, by {method} with {steps} steps per period.")
+        method = METHODS[best.method].title
+        st.markdown(filled(sentence, cost=best.evaluations, method=method, steps=best.steps_per_period))
+
+
+def find_best_run() -> Run | None:
+    """Return the attempt with the fewest evaluations among those whose error was allowed."""
+    runs = [diagram_curve(method).select(steps) for method, steps in tried_runs()]
+    return min((run for run in runs if run.error <= WITHIN), key=lambda run: run.evaluations, default=None)
+
+
 def _add_attempt(method: str, steps: int) -> None:
-    """Callback: append an attempt to the list in the address. A repeated attempt moves to the end."""
+    """Callback: append an attempt to the list in the address. A repeated attempt moves to the end.
+
+    Of too many attempts, the oldest is removed that is not the best one.
+    """
     st.session_state[_RUN] = st.session_state.get(_RUN, 0) + 1
     attempt = f"{method}.{steps}"
     others = [tried for tried in address.current(TRIES) if tried != attempt]
-    st.session_state[TRIES.name] = (*others, attempt)[-_MOST_TRIES:]
+    best = find_best_run()
+    while len(others) >= _MOST_TRIES:
+        is_first_best = best is not None and others[0] == f"{best.method}.{best.steps_per_period}"
+        others.pop(1 if is_first_best else 0)
+    st.session_state[TRIES.name] = (*others, attempt)
 
 
 def tried_runs() -> list[tuple[str, int]]:

@@ -88,15 +88,15 @@ def draw_race() -> None:
 def draw_game() -> None:
     """Draw the task, its controls, both machines with their clock, and the verdict."""
     with st.container(key="race"):
-        # On a slide, the verdict replaces the task.
-        if display_mode.is_projector() and challenge.tried_runs():
+        # On a slide and on a wide page, the verdict replaces the task. On a narrow page it is below the machine.
+        has_run = bool(challenge.tried_runs())
+        if not (display_mode.is_projector() and has_run):
+            with st.container(key="race_task"):
+                st.markdown(challenge.TASK.text)
+        if has_run or not display_mode.is_projector():
             challenge.draw_verdict()
-        else:
-            st.markdown(challenge.TASK.text)
         challenge.draw_controls()
         challenge.draw_machine()
-        if not display_mode.is_projector():
-            challenge.draw_verdict()
 
 
 def draw_price() -> None:

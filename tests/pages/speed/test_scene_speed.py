@@ -269,7 +269,9 @@ def test_the_challenge_judges_as_the_lesson_does_and_the_diagram_marks_each_atte
         assert verdict.is_done == done
         [text] = [text.value for text in app.markdown if escape(verdict.sentence) in text.value]
         assert ("Done." in text, "Not yet." in text) == (done, not done)
+        assert ("Your best run: none yet." in words(app)) == (not done)
     assert app.query_params["tries"] == "rk4.13,rk4.14"
+    assert "**1680 evaluations**, by Runge–Kutta 4 with 14 steps" in words(app)
     app.session_state["topic"] = "price"
     app.run()
     figure = json.loads(next(chart.proto.spec for chart in app.get("plotly_chart") if "your run" in chart.proto.spec))
@@ -281,6 +283,15 @@ def test_the_challenge_judges_as_the_lesson_does_and_the_diagram_marks_each_atte
     [text] = [text.value for text in app.markdown if "**Your run**" in text.value]
     assert "14 steps per period, takes 1680 evaluations" in text
     assert "small enough" in text
+
+
+def test_many_attempts_do_not_remove_the_best_one(app):
+    page(app, method="rk4", tries="rk4.14," + ",".join(f"rk4.{steps}" for steps in range(20, 31)))
+    assert "**1680 evaluations**" in words(app)
+    app.button(key="run").click().run()
+    tries = app.query_params["tries"].split(",")
+    assert (len(tries), tries[0], tries[1], tries[-1]) == (12, "rk4.14", "rk4.21", "rk4.12")
+    assert "**1680 evaluations**" in words(app)
 
 
 # ---- simultaneous visitors
