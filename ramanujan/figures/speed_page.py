@@ -25,10 +25,6 @@ _LONGEST_NAME = 18
 """The largest number of letters of a name in one line at the right edge."""
 _LINE_HEIGHT = 0.08
 """The height of a line of a name on a slide, in fractions of the plotting area."""
-_SINGLE = _("7 digits")
-"""The name of the line of the chosen method in single precision."""
-DOUBLE = "float64"
-"""The precision of solid lines."""
 
 
 CurveArrays = tuple[np.ndarray, np.ndarray, np.ndarray]
@@ -135,7 +131,8 @@ class MarkedRun:
     cost, error : position of the mark
     symbol, size : Plotly's name of the mark, and its size [px]
     color : key of the theme's colours
-    is_named : whether its name is beside the mark
+    is_named : whether its name is beside the mark, for one at the lower edge
+    cost_text : the cost at the foot of a line from the mark to the cost axis, if any
     """
 
     cost: float
@@ -143,11 +140,12 @@ class MarkedRun:
     symbol: str
     size: int
     color: str
-    is_named: bool = True
+    is_named: bool = False
+    cost_text: str = ""
 
 
 def draw_work_precision(
-    curves: Mapping[tuple[str, str], CurveArrays],
+    curves: Mapping[str, CurveArrays],
     *,
     chosen: str | None,
     titles: tuple[str, str],
@@ -157,12 +155,11 @@ def draw_work_precision(
     tried: Sequence[tuple[float, float]] = (),
     colors: Colors,
 ) -> EncodedFigure:
-    """Draw error against cost, both logarithmic: solid with marks in float64, dotted in float32.
+    """Draw error against cost, both logarithmic.
 
     Parameters
     ----------
-    curves : name of the method and its precision → cost, error and steps per period of each run. At most one method is
-        also in float32.
+    curves : name of the method → cost, error and steps per period of each run
     chosen : the name of the method that is drawn strongly, if any; the others are gray
     titles : of the cost axis and of the error axis
     limits : of the error axis
@@ -177,12 +174,8 @@ def draw_work_precision(
     for costs_of_method, _error, _steps in curves.values():
         costs += [costs_of_method[0], costs_of_method[-1]]
     ends = min(costs), max(costs)
-    line_ends = {
-        name if dtype == DOUBLE else _SINGLE: (cost[-1], error[-1])
-        for (name, dtype), (cost, error, _steps) in curves.items()
-    }
-    methods = dict.fromkeys(name for name, _dtype in curves)
-    symbols = dict(zip(methods, logarithmic.SYMBOLS, strict=False))
+    line_ends = {name: (cost[-1], error[-1]) for name, (cost, error, _steps) in curves.items()}
+    symbols = dict(zip(curves, logarithmic.SYMBOLS, strict=False))
     traces = _method_curves(curves, chosen, limits, symbols, hover, colors)
     leaders, names = _name_lines(line_ends, chosen, ends[1], limits, symbols, colors)
     traces += leaders
@@ -197,11 +190,16 @@ def draw_work_precision(
         # A mark at an edge is not cut.
         properties = {"name": name, "hovertemplate": hover, "cliponaxis": False}
         traces.append(mark | properties | {"customdata": _points([run.cost], [run.error])})
+        if run.cost_text:
+            foot = line([run.cost] * 2, [height, limits[0]], color=colors[run.color], width=2)
+            traces.append(foot | {"hoverinfo": "skip"})
+            text = note(f"<b>{run.cost_text}</b>", colors[run.color], np.log10(run.cost), np.log10(limits[0]))
+            notes.append(text | {"xanchor": "right", "yanchor": "bottom", "xshift": -4, "yshift": 4})
         if run.is_named:
-            place = np.log10(run.cost), np.log10(height)
-            notes.append(note(name, colors[run.color], *place) | _place_name(*place, ends, limits, run.size / 2))
+            text = note(name, colors[run.color], np.log10(run.cost), np.log10(height))
+            notes.append(text | {"xanchor": "left", "yanchor": "bottom", "xshift": run.size / 2})
     # No run is both cheap and accurate, so the left end of the band is free. The closed form may be in its corner.
-    level = max(tolerance / 10, limits[0])
+    level = max(min(10 * limits[0], tolerance / 10), limits[0])
     band = _shade_allowed(tolerance, limits, (ends[0], level), colors)
     notes += band["annotations"]
     x_range = float(np.log10(ends[0])) - 0.1, float(np.log10(ends[1])) + 0.11
@@ -218,26 +216,8 @@ def draw_work_precision(
     )
 
 
-def _place_name(
-    cost: float, error: float, ends: tuple[float, float], limits: tuple[float, float], radius: float
-) -> dict[str, Any]:
-    """Return the place of a name beside its mark: below it, where no method is that cheap, or above the lower edge.
-
-    Parameters
-    ----------
-    cost, error : position of the mark, as powers of ten
-    ends, limits : of the axes
-    radius : of the mark [px]
-    """
-    left, right = np.log10(ends)
-    if error < np.log10(limits[0]) + 2:
-        return {"xanchor": "left", "yanchor": "bottom", "xshift": radius}
-    is_left = cost < left + (right - left) / 4
-    return {"xanchor": "left" if is_left else "right", "yanchor": "top", "yshift": -radius}
-
-
 def _method_curves(
-    curves: Mapping[tuple[str, str], CurveArrays],
+    curves: Mapping[str, CurveArrays],
     chosen: str | None,
     limits: tuple[float, float],
     symbols: Mapping[str, str],
@@ -246,16 +226,14 @@ def _method_curves(
 ) -> list[dict[str, Any]]:
     """Return the traces of the methods, the chosen one last."""
     traces = []
-    for (name, dtype), (cost, error, steps) in sorted(curves.items(), key=lambda entry: entry[0][0] == chosen):
-        is_double = dtype == DOUBLE
+    for name, (cost, error, steps) in sorted(curves.items(), key=lambda entry: entry[0] == chosen):
         look = {"color": colors["primary"], "width": _STRONG} if name == chosen else _gray(colors)
         curve = line(cost.astype(np.float32), select_drawable(error, limits[1]), **look)
-        curve["line"]["dash"] = "solid" if is_double else "dot"
         properties: dict[str, Any] = {
-            "mode": "lines+markers" if is_double else "lines",
+            "mode": "lines+markers",
             "marker": {"symbol": symbols[name], "size": _SYMBOL if name == chosen else _SYMBOL_OF_GRAY},
             "name": name,
-            "text": [_describe_steps(dtype, int(n)) for n in steps],
+            "text": [_describe_steps(int(n)) for n in steps],
             "hovertemplate": f"%{{text}}<br>{hover}",
             "customdata": _points(cost, error),
         }
@@ -288,7 +266,7 @@ def _name_lines(
     leaders = []
     for name, level in zip(names, levels, strict=True):
         cost, error = line_ends[name]
-        color = colors["primary"] if name in (chosen, _SINGLE) else colors["block"]
+        color = colors["primary"] if name == chosen else colors["block"]
         # A dotted leader is no part of the line.
         joint = line([float(cost), edge], [float(error), level], color=colors["faint"], width=1, dash="dot")
         # The symbol of the line is only at the name.
@@ -298,9 +276,7 @@ def _name_lines(
         leaders.append(joint | properties | {"hoverinfo": "skip", "yaxis": "y2"})
     texts = []
     for name, label in zip(names, labels, strict=True):
-        tag = "b" if name == chosen else "span"
-        is_strong = name in (chosen, _SINGLE)
-        texts.append(f'<{tag} style="color:{colors["primary"]}">{label}</{tag}>' if is_strong else label)
+        texts.append(f'<b style="color:{colors["primary"]}">{label}</b>' if name == chosen else label)
     right_axis = log_axis("", limits) | {
         "overlaying": "y",
         "side": "right",
@@ -370,6 +346,6 @@ def _format_numbers(values: Iterable[float]) -> list[str]:
     return [number(float(value), 3, strip=True) for value in values]
 
 
-def _describe_steps(dtype: str, n: int) -> str:
-    sentence = ngettext("{dtype}, {n} step per period", "{dtype}, {n} steps per period", n)
-    return sentence.format(dtype=dtype, n=n)
+def _describe_steps(n: int) -> str:
+    sentence = ngettext("{n} step per period", "{n} steps per period", n)
+    return sentence.format(n=n)

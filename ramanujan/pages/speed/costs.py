@@ -5,17 +5,24 @@ from collections.abc import Callable, Sequence
 import streamlit as st
 
 from ramanujan.accuracy.work_precision import PERIODS, Run, WorkPrecision, find_cheapest_runs
+from ramanujan.browser.containers import container
 from ramanujan.figures import speed_page as figures
 from ramanujan.pages.speed import cache, challenge, downsampling, verdicts
 from ramanujan.physics.integrators import METHODS
 from ramanujan.shell import address, drawings, theme, widgets
 from ramanujan.shell.display_mode import is_projector
-from ramanujan.text.numerals import number
+from ramanujan.text.numerals import duration, number
 from ramanujan.text.translation import _
 
 COST = address.Choice("cost", {"evaluations": _("evaluations"), "seconds": _("seconds")}, "evaluations")
 TOLERANCE = address.Choice("tolerance", {f"1e-{n}": number(10.0**-n, 1) for n in range(1, 11)}, "1e-2")
 _COST_TITLES = {"evaluations": _("evaluations of the force"), "seconds": _("seconds on this server")}
+_HOW_TO_READ = {
+    "evaluations": _(
+        "The cheapest method is the first to reach the dashed line, at the ring. The number below is its cost."
+    ),
+    "seconds": _("The fastest method is the first to reach the dashed line, at the ring. The number below is its time."),
+}
 _LIMITS = 5e-11, 1.0
 """The limits of the error axis, which contain the errors of all runs in the diagram [turns]."""
 
@@ -29,13 +36,13 @@ def draw_costs() -> Callable[[], None]:
         st.header(_("What accuracy costs"), anchor=False)
         figure, controls = st.columns([2, 1], gap="medium")
     else:
-        # On a phone the diagram is above its controls, on a wide page below them.
-        both = st.container(key="costs")
-        figure, controls = both.container(key="place_costs"), both.container(key="cost_controls")
+        # On a phone the diagram is above its controls, on a wide page beside them.
+        row = container("columns", "costs")
+        controls, figure = row.container(key="cost_controls"), row.container(key="place_costs")
     with controls:
-        with st.container(horizontal=True, vertical_alignment="bottom"):
-            tolerance = float(widgets.select_slider(TOLERANCE, _("Largest error allowed [turns]"), width=320))
-            by = widgets.segmented_control(COST, _("Cost"))
+        tolerance = float(widgets.select_slider(TOLERANCE, _("Largest error allowed [turns]")))
+        by = widgets.segmented_control(COST, _("Cost"))
+        st.markdown(_HOW_TO_READ[by])
         finding = st.empty()
 
     def measure_and_draw() -> None:
@@ -72,18 +79,21 @@ def draw_diagram(by: str, tolerance: float) -> str:
     by : kind of cost, an option of `COST`
     tolerance : error that the visitor allows [turns]
     """
-    curves, closed = cache.diagram(), cache.closed_form()
+    # The diagram has the numbers of the app, float64. The table also lists float32.
+    curves = [curve for curve in cache.diagram() if curve.dtype == "float64"]
+    closed = cache.closed_form()
     ranked = find_cheapest_runs(curves, tolerance, by)
     sentence = verdicts.recommend_run(ranked, tolerance, by)
     marked_runs = {}
     if ranked:
         best = ranked[0]
+        text = number(best.evaluations) if by == "evaluations" else duration(best.seconds)
         marked_runs[_("cheapest")] = figures.MarkedRun(
-            cost=getattr(best, by), error=best.error, symbol="circle-open", size=22, color="primary", is_named=False
+            cost=getattr(best, by), error=best.error, symbol="circle-open", size=22, color="primary", cost_text=text
         )
     if by == "seconds":
         marked_runs[_("closed form")] = figures.MarkedRun(
-            cost=closed.seconds, error=closed.error, symbol="star", size=15, color="ink"
+            cost=closed.seconds, error=closed.error, symbol="star", size=15, color="ink", is_named=True
         )
     tried = find_tried_runs(curves)
     if tried:
@@ -93,10 +103,8 @@ def draw_diagram(by: str, tolerance: float) -> str:
         )
         sentence = f"{verdicts.describe_tried_run(last, tolerance)}\n\n{sentence}"
     chosen = METHODS[ranked[0].method].title if ranked else None
-    # Lines in float32 differ from those in float64 only at their lower ends. One is enough to see it.
-    shown = [curve for curve in curves if curve.dtype == figures.DOUBLE or METHODS[curve.method].title == chosen]
     diagram = figures.draw_work_precision(
-        {(METHODS[curve.method].title, curve.dtype): downsampling.costs(curve, by) for curve in shown},
+        {METHODS[curve.method].title: downsampling.costs(curve, by) for curve in curves},
         chosen=chosen,
         titles=(_COST_TITLES[by], _("largest error [turns]")),
         limits=_LIMITS,
@@ -113,9 +121,9 @@ def draw_diagram(by: str, tolerance: float) -> str:
 def explain_measurement() -> None:
     """Explain the diagram, and offer to repeat the measurement of times."""
     sentence = _(
-        "Each mark is a run of a method over {periods} periods, with smaller steps further right, and the ring marks "
-        "the cheapest run. Along both axes, each line is 10 times the one before. The dotted line has numbers with 7 "
-        "digits (float32), the solid lines with 16 (float64). Each run of your own in *Race* appears as ◆."
+        "Each mark is a run of a method over {periods} periods, with smaller steps further right. Along both axes, "
+        "each line is 10 times the one before. Each run of your own in *Race* appears as ◆. All runs in the diagram "
+        "compute with 16 digits (float64). The table also lists runs with 7 digits (float32)."
     )
     st.markdown(sentence.format(periods=PERIODS))
     sentence = _(
@@ -143,5 +151,5 @@ def _forget_measurement() -> None:
 
 def find_tried_runs(curves: Sequence[WorkPrecision]) -> list[Run]:
     """Return the runs that the visitor has tried in the challenge, the last one at the end."""
-    by_method = {curve.method: curve for curve in curves if curve.dtype == "float64"}
+    by_method = {curve.method: curve for curve in curves}
     return [by_method[method].select(steps) for method, steps in challenge.tried_runs()]

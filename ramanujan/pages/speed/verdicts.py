@@ -164,21 +164,20 @@ def describe_tried_run(run: Run, tolerance: float) -> str:
 
 
 def _recommend(best: Run, tolerance: float, by: str) -> str:
-    """Name the cheapest run by a kind of cost, with its cost and its error."""
+    """Name the cheapest run by a kind of cost, with its cost."""
     if by == "seconds":
-        recommendation = _(
-            "For an error of at most {tolerance:1↑} of a turn, the fastest run on this server is **{method}** in "
-            "{precision} with **{steps} steps per period**."
+        sentence = _(
+            "For an error of at most {tolerance:1↑} of a turn, **{method}** with **{steps} steps per period** is the "
+            "fastest: it takes **{time}** on this server."
         )
     else:
-        recommendation = _(
-            "For an error of at most {tolerance:1↑} of a turn, the run with the fewest evaluations of the force is "
-            "**{method}** in {precision} with **{steps} steps per period**."
+        sentence = _(
+            "For an error of at most {tolerance:1↑} of a turn, **{method}** with **{steps} steps per period** is the "
+            "cheapest: it takes **{evaluations} evaluations** of the force."
         )
-    cost = _("It takes {run.evaluations:3} evaluations and {time} on this server.")
-    method, time = METHODS[best.method].title, duration(best.seconds)
-    run = {"method": method, "precision": best.dtype, "steps": best.steps_per_period, "run": best, "time": time}
-    return filled(f"{recommendation} {cost}", tolerance=tolerance, **run)
+    names = {"method": METHODS[best.method].title, "steps": best.steps_per_period}
+    costs = {"evaluations": best.evaluations, "time": duration(best.seconds)}
+    return filled(sentence, tolerance=tolerance, **names, **costs)
 
 
 def _none_reaches(tolerance: float) -> str:

@@ -144,8 +144,14 @@ def test_measurements_are_shared_and_repeated_on_request(app):
     assert len(curves) == 2 * len(METHODS)
     best = find_cheapest_runs(curves, 1e-2)[0]
     text = words(app)
-    assert f"**{METHODS[best.method].title}** in {best.dtype} with **{best.steps_per_period} steps" in text
+    sentence = f"**{METHODS[best.method].title}** with **{best.steps_per_period} steps per period** is the cheapest"
+    assert f"{sentence}: it takes **{best.evaluations} evaluations** of the force." in text
     assert duration(best.seconds) in text
+    # The figure marks the run of the sentence, with the same number.
+    [spec] = [chart.proto.spec for chart in app.get("plotly_chart")]
+    [ring] = [trace for trace in json.loads(spec)["data"] if trace.get("name") == "cheapest"]
+    assert ring["x"] == [best.evaluations]
+    assert f"<b>{best.evaluations}</b>" in [note["text"] for note in json.loads(spec)["layout"]["annotations"]]
 
     # A lower tolerance costs more, and the sentence is updated.
     app.select_slider(key="tolerance").set_value("1e-6").run()
@@ -334,7 +340,7 @@ def test_a_number_under_the_pointer_is_written_as_in_a_sentence():
             {"a": (x, errors)}, "a", title="error", limits=(1e-8, 1.0), allowed=1e-2, colors=colors
         ),
         figures.draw_work_precision(
-            {("a", "float64"): (x, errors, x)}, chosen="a", marked_runs=marked_runs, colors=colors, **more
+            {"a": (x, errors, x)}, chosen="a", marked_runs=marked_runs, colors=colors, **more
         ),
         figures.draw_phase_errors(x, dict.fromkeys("abc", errors), "a", colors),
     )
@@ -396,7 +402,7 @@ def test_the_names_at_the_ends_of_lines_never_overlap():
     """Three lines end at the same point, and one at the lower edge."""
     cost, colors = np.array([1.0, 10.0]), theme.colors()
     ends = {"explicit Euler": 1e-3, "symplectic Euler": 1e-3, "implizite Mittelpunktsregel": 1e-3, "Yoshida 6": 1e-8}
-    curves = {(name, "float64"): (cost, np.array([0.5, end]), cost) for name, end in ends.items()}
+    curves = {name: (cost, np.array([0.5, end]), cost) for name, end in ends.items()}
     figure = figures.draw_work_precision(
         curves,
         chosen="Yoshida 6",
