@@ -130,9 +130,13 @@ def draw_error_growth() -> None:
     """Draw how an error of all methods grows. The selected method stands out once it has run."""
     method, steps = address.current(METHOD), address.current(STEPS)
     has_run = (method, steps) in challenge.tried_runs()
-    # On a phone the figure is between its heading and its words, on a wide page beside both.
-    row = st if display_mode.is_projector() else container("columns", "growth")
-    head, place, words = row.container(), row.container(key="place_growth"), row.container()
+    if display_mode.is_projector():
+        head = st.container()
+        place, words = st.columns([2, 1], gap="medium")
+    else:
+        # On a phone the figure is between its heading and its words, on a wide page beside both.
+        row = container("columns", "growth")
+        head, place, words = row.container(), row.container(), row.container()
     head.header(_("How the errors grow"), anchor=False)
     with words:
         error = widgets.segmented_control(ERROR, _("Error"), label_visibility="collapsed")
