@@ -199,7 +199,7 @@ def draw_work_precision(
             text = note(name, colors[run.color], np.log10(run.cost), np.log10(height))
             notes.append(text | {"xanchor": "left", "yanchor": "bottom", "xshift": run.size / 2})
     # No run is both cheap and accurate, so the left end of the band is free. The closed form may be in its corner.
-    level = max(min(10 * limits[0], tolerance / 10), limits[0])
+    level = float(np.clip(tolerance / 10, limits[0], 10 * limits[0]))
     band = _shade_allowed(tolerance, limits, (ends[0], level), colors)
     notes += band["annotations"]
     x_range = float(np.log10(ends[0])) - 0.1, float(np.log10(ends[1])) + 0.11

@@ -1,7 +1,6 @@
 """The app in a browser: loading, announcements, assumptions about Streamlit's page, the stage by keys and as a file."""
 
 import io
-import json
 import re
 from pathlib import Path
 
@@ -12,7 +11,7 @@ from playwright.sync_api import Page, expect
 
 from ramanujan.shell.theme import BODY_COLORS
 from tests.checks.bare import THEME
-from tests.checks.browser import STAGE, inside, module, next_frame, script, settle, traffic
+from tests.checks.browser import STAGE, inside, module, next_frame, restyles, script, settle, traffic
 from tests.checks.engines import new_context
 from tests.checks.layout import ADDRESSES
 from tests.checks.look import rgb
@@ -39,17 +38,15 @@ def test_the_machine_appears_before_all_slow_elements_and_does_not_move(chromium
     if link:  # a machine at rest, and the elements that wait for it
         page.emulate_media(reduced_motion="reduce")
         page.route("**/arrival.js", lambda route: held.append(route))
-    chromium.start_tracing(page=page, categories=["devtools.timeline"])
-    with page.expect_request("**/arrival.js"):
-        page.goto(server + link, wait_until="commit")
-        page.wait_for_function("window.first")
-    for route in held:
-        route.continue_()
-    page.locator(".st-key-curve .scatterlayer path").first.wait_for(state="attached")
-    page.locator(".st-key-six_steps details").last.wait_for(state="attached")
+    with restyles(page) as styled:
+        with page.expect_request("**/arrival.js"):
+            page.goto(server + link, wait_until="commit")
+            page.wait_for_function("window.first")
+        for route in held:
+            route.continue_()
+        page.locator(".st-key-curve .scatterlayer path").first.wait_for(state="attached")
+        page.locator(".st-key-six_steps details").last.wait_for(state="attached")
     # Plotly's measurements of words do not restyle the whole page.
-    events = json.loads(chromium.stop_tracing())["traceEvents"]
-    styled = [each["args"].get("elementCount", 0) for each in events if each["name"] == "UpdateLayoutTree"]
     assert len(styled) > 50
     assert len([count for count in styled if count > 1000]) < 10
     first = page.evaluate("first")

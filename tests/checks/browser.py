@@ -1,6 +1,7 @@
 """The app in a browser, for tests and benchmarks: start it, open it, and wait until it has answered."""
 
 import contextlib
+import json
 import os
 import re
 import shutil
@@ -11,6 +12,7 @@ import tempfile
 import time
 import urllib.request
 from base64 import b64encode
+from collections.abc import Iterator
 from email.message import Message
 from pathlib import Path
 from urllib.parse import urlsplit
@@ -256,6 +258,17 @@ def clock_rate(rate: float) -> str:
 def next_frame(page: Page) -> None:
     """Wait until the browser has drawn the last change, to the end of the next animation frame."""
     page.evaluate("new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done)))")
+
+
+@contextlib.contextmanager
+def restyles(page: Page) -> Iterator[list[int]]:
+    """Record how many elements each recalculation of styles covers, in Chromium. The list is complete at the end."""
+    counts: list[int] = []
+    browser = page.context.browser
+    browser.start_tracing(page=page, categories=["devtools.timeline"])
+    yield counts
+    events = json.loads(browser.stop_tracing())["traceEvents"]
+    counts += [each["args"].get("elementCount", 0) for each in events if each["name"] == "UpdateLayoutTree"]
 
 
 def leave_out_figures(page: Page) -> None:

@@ -1,12 +1,11 @@
 """A lecturer's view in the browser: links that preserve the view, and the projector."""
 
-import json
 import re
 
 import pytest
 from playwright.sync_api import expect
 
-from tests.checks.browser import GO, MOUNTED, STAGE, next_frame, script, settle, traffic, until, wait_for_page
+from tests.checks.browser import GO, MOUNTED, STAGE, next_frame, restyles, script, settle, traffic, until, wait_for_page
 from tests.checks.layout import OVERLAPS
 from tests.checks.slow_network import Network
 
@@ -164,19 +163,16 @@ def check_a_text_in_a_figure_restyles_little(page) -> None:
     Plotly adds and measures hundreds of texts, so that the machine would move seconds later. A rule such as
     `A:has(x) > B` can be the cause.
     """
-    browser = page.context.browser
-    browser.start_tracing(page=page, categories=["devtools.timeline"])
-    page.evaluate(
-        """() => {
-          const figure = document.querySelector(".stPlotlyChart .main-svg");
-          const text = figure.appendChild(document.createElementNS(figure.namespaceURI, "text"));
-          figure.getBoundingClientRect();
-          text.remove();
-        }"""
-    )
-    next_frame(page)
-    events = json.loads(browser.stop_tracing())["traceEvents"]
-    styled = [each["args"].get("elementCount", 0) for each in events if each["name"] == "UpdateLayoutTree"]
+    with restyles(page) as styled:
+        page.evaluate(
+            """() => {
+              const figure = document.querySelector(".stPlotlyChart .main-svg");
+              const text = figure.appendChild(document.createElementNS(figure.namespaceURI, "text"));
+              figure.getBoundingClientRect();
+              text.remove();
+            }"""
+        )
+        next_frame(page)
     # Without the fault at most 69 of 10,700 and of 2,800 elements.
     assert 0 < max(styled) < 1000
 

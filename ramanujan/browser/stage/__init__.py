@@ -55,7 +55,7 @@ The message, published at every change; all but the first entry are optional:
                  screen_period, the duration of a plain-mass period on the screen [s] while a new run is first shown
     slipping     the contact to mark, such as hoop_slab
     forces       the contacts, or spring, whose forces are drawn strongly; all forces have letters
-    held         whether a moving machine stands at its release until a person lets it move, or until it is not held
+    held         true pauses a moving machine at its release; the next message without it plays this machine again
     velocities   whether the velocities are drawn without their scale, with or without their layer
     hide         the hidden parts, members of `PARTS`
     views        name of a slide, or "" in the normal view → {layers, from}, which are valid while it is shown: layers
@@ -125,7 +125,7 @@ def payload(
     slipping : the contact to mark, such as hoop_slab
     forces : the contacts, or "spring", whose forces are drawn strongly; the others are drawn faintly. All forces then
         have letters, with or without the layer of forces.
-    held : whether a moving machine stands at its release, where forces are greatest
+    held : whether to pause a moving machine at its release, where forces are greatest
     velocities : whether the velocities are drawn without their scale, with or without their layer
     views : slide, or "" in the normal view → its layers, until a person chooses others, and its frame of reference
     """

@@ -40,8 +40,7 @@ class Stage {
   shapes; // the radius and the shapes in the drawn geometry
   screenPeriod = null; // s, the duration of a plain-mass period on the screen during a story or a race
   showsGhosts = false; // whether copies of the machine replace its motion, for a reader who prefers reduced motion
-  isHeld = false; // whether the data hold the machine at its release
-  movesOn = false; // whether the machine moves on when it is no longer held
+  playsAfterHold = false; // whether the machine was playing before the data paused it at its release
   needsDrawing = false; // whether the next frame draws the stage even if nothing moves
   drifts = new Map(); // Ω²m/k with nine digits → parameters of the last machine with this value
   sinceText = 0; // s since the running numbers were updated
@@ -110,22 +109,20 @@ class Stage {
       this.applyMotionPreference();
       this.follow(bus.last(`view/${this.clockName}`), { begins: true });
     }
-    this.hold(Boolean(data.held));
+    if (data.held !== before?.held) this.hold(data.held);
     if (!before) this.draw(0); // now, so that the machine appears one frame earlier
   }
 
-  /** Let a moving machine stand at its release while the data hold it there, and move on afterwards. */
+  /** Pause at the release, or play again if the machine was playing before this pause. */
   hold(isHeld) {
-    if (isHeld === this.isHeld) return;
-    this.isHeld = isHeld;
-    if (isHeld && this.clock.playing) {
-      this.movesOn = true;
-      this.setPlaying(false);
-      this.change(() => this.reset());
-    } else if (this.movesOn) {
-      this.movesOn = false;
-      this.setPlaying(true);
+    if (!isHeld) {
+      if (this.playsAfterHold) this.setPlaying(true);
+      return;
     }
+    this.playsAfterHold = this.clock.playing;
+    if (!this.clock.playing) return;
+    this.setPlaying(false);
+    this.change(() => this.reset());
   }
 
   /**

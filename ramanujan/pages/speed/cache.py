@@ -33,7 +33,6 @@ from ramanujan.physics.integrators import METHODS
 from ramanujan.shell.shared_cache import responsive
 from ramanujan.text.translation import _
 
-
 _CURVES = [(method, dtype) for dtype in DTYPES for method in METHODS]
 """The curves of the work-precision diagram."""
 

@@ -21,7 +21,9 @@ _HOW_TO_READ = {
     "evaluations": _(
         "The cheapest method is the first to reach the dashed line, at the ring. The number below is its cost."
     ),
-    "seconds": _("The fastest method is the first to reach the dashed line, at the ring. The number below is its time."),
+    "seconds": _(
+        "The fastest method is the first to reach the dashed line, at the ring. The number below is its time."
+    ),
 }
 _LIMITS = 5e-11, 1.0
 """The limits of the error axis, which contain the errors of all runs in the diagram [turns]."""

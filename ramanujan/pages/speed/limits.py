@@ -42,6 +42,9 @@ _QUESTIONS = {
     ),
 }
 _LABELS = {"time": _("Time after the release, in periods"), "ratio": "ε = m′/m", "scale": "m/kg = m′/kg = k/(N/m)"}
+_MASS_FORMULAS = FORMS["paper"].formula, FORMS[USED_FORM].formula
+_FORMULAS = {"time": ("1 − cos Ωt", "2 sin²(Ωt/2)"), "ratio": _MASS_FORMULAS, "scale": _MASS_FORMULAS}
+"""Experiment → the plain formula, and the one that the app uses."""
 _STEPS = {"time": ("cos Ωt", "sin(Ωt/2)"), "ratio": ("(m′ + m)²", "ε"), "scale": ("(m′ + m)²", "ε")}
 """Experiment → the critical steps of both formulas."""
 _SWEEPS = {
@@ -61,13 +64,15 @@ _NOTES = {
             "The cosine begins with more and more nines. The subtraction removes them, and few digits remain. The sine "
             "keeps all its digits."
         ),
-        "vanished": _("The cosine has become exactly 1, so the subtraction leaves nothing. The second formula does not subtract."),
+        "vanished": _(
+            "The cosine has become exactly 1, so the subtraction leaves nothing. The second formula does not subtract."
+        ),
     },
     "mass": {
         "losing": _("The square is so small that the computer no longer stores all its digits."),
         "vanished": _(
-            "The square is smaller than the smallest number in float64, so it became 0. The result looks right, but it is "
-            "wrong. The second formula squares no mass."
+            "The square is smaller than the smallest number in float64, so it became 0. The result looks right, but "
+            "it is wrong. The second formula squares no mass."
         ),
         "infinite": _(
             "The square is larger than {largest:2}, the largest number in float64, so it became ∞. Division by ∞ gives "
@@ -94,10 +99,7 @@ def _payload(name: str, *, is_predicted: bool) -> dict[str, Any]:
     notes = {"right": _AGREE if is_predicted else _PREDICT} | _NOTES["time" if name == "time" else "mass"]
     numbers = {"digits": DIGITS, "largest": float(np.finfo(float).max)}
     used = _("used by this app") if is_predicted else ""
-    if name == "time":
-        formulas = "1 − cos Ωt", "2 sin²(Ωt/2)"
-    else:
-        formulas = FORMS["paper"].formula, FORMS[USED_FORM].formula
+    plain, own = _FORMULAS[name]
     kinds = list(notes)
     return {
         "label": _LABELS[name],
@@ -105,8 +107,8 @@ def _payload(name: str, *, is_predicted: bool) -> dict[str, Any]:
         "locked": not is_predicted,
         "head": [_("Formula"), _("Critical step"), _("Result"), _("Correct digits")],
         "rows": [
-            escape(formulas[0]),
-            f"{escape(formulas[1])} <small>{used}</small>",
+            escape(plain),
+            f"{escape(own)} <small>{used}</small>",
             _("exact"),
         ],
         "all": DIGITS,

@@ -27,7 +27,17 @@ TOPICS = {
 TOPIC = address.Choice("topic", TOPICS, "race")
 ERRORS = {"phase": _("Phase"), "energy": _("Energy")}
 ERROR = address.Choice("error", ERRORS, "phase")
-URL_PARAMETERS = (TOPIC, METHOD, STEPS, TRIES, ERROR, costs.COST, costs.TOLERANCE, limits.EXPERIMENT, *limits.PREDICTIONS.values())
+URL_PARAMETERS = (
+    TOPIC,
+    METHOD,
+    STEPS,
+    TRIES,
+    ERROR,
+    costs.COST,
+    costs.TOLERANCE,
+    limits.EXPERIMENT,
+    *limits.PREDICTIONS.values(),
+)
 
 # Error → title and limits of its axis. Streamlit would show a string below the assignment, because it runs this file.
 _AXES = {

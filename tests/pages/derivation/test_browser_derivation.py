@@ -276,7 +276,7 @@ def test_headings_keep_their_place_beside_the_machine_and_every_body_has_its_ink
 def check_symbols_and_forces(page) -> None:
     """Check that the symbol of a force highlights both of its arrows, and each arrow the symbol.
 
-    At a step with forces the machine stands at its release, and afterwards it moves on.
+    A step with forces pauses the machine at its release. The next step without forces plays it again.
     """
     settle(page)  # until the server knows the step
     page.emulate_media(reduced_motion="no-preference")

@@ -339,9 +339,7 @@ def test_a_number_under_the_pointer_is_written_as_in_a_sentence():
         figures.draw_error_growth(
             {"a": (x, errors)}, "a", title="error", limits=(1e-8, 1.0), allowed=1e-2, colors=colors
         ),
-        figures.draw_work_precision(
-            {"a": (x, errors, x)}, chosen="a", marked_runs=marked_runs, colors=colors, **more
-        ),
+        figures.draw_work_precision({"a": (x, errors, x)}, chosen="a", marked_runs=marked_runs, colors=colors, **more),
         figures.draw_phase_errors(x, dict.fromkeys("abc", errors), "a", colors),
     )
     shown = [
