@@ -59,7 +59,7 @@ The message, published at every change; all but the first entry are optional:
     velocities   whether the velocities are drawn without their scale, with or without their layer
     hide         the hidden parts, members of `PARTS`
     views        name of a slide, or "" in the normal view → {layers, from}, which are valid while it is shown: layers
-                 replace those of the constant data, displacements are relative to the ground or the block
+                 replace those of the constant data, and the machine is seen from "ground" or "block"
     releases     a number; another number sets both hands to the start
 
 Other parts of the page communicate with a stage through the topics of the bus, listed in

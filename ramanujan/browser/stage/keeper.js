@@ -8,6 +8,7 @@ import { TURN } from "./motion.js";
 
 const PAUSE = 150; // ms from the last change until the address is written, because browsers limit the rate
 const SPEEDS = [1, 0.5, 0.1];
+const FRAMES = ["ground", "block"];
 const owners = new Map(); // page and prefix → the clock to which the address belongs
 
 /** The names of layers, as in the address. */
@@ -35,7 +36,8 @@ export function makeKeeper(stage, options, send, signal) {
     const rates = stages().flatMap(({ playback }) => playback.frequencies).map((each) => (pace * each) / TURN);
     send({ layers, from, speed, rates: rates.join(), turns: turns.join() });
     // Name, value and default of each setting in the address.
-    const view = [["speed", speed, 1], ["from", from, "ground"], ["paused", playing ? "" : turns.join(), ""]];
+    const paused = playing ? "" : turns.join();
+    const view = [["speed", speed, 1], ["from", from, stage.defaultFrame()], ["paused", paused, ""]];
     if (!compact) view.push(["layers", layers, listLayers(stage.defaultLayers())]);
     if (isWriting) address.writeSettings(view.map(([key, ...values]) => [prefix + key, ...values]));
   }
@@ -45,7 +47,7 @@ export function makeKeeper(stage, options, send, signal) {
     /** The speed and the reference frame in the address, or their defaults. */
     clock: () => ({
       speed: SPEEDS.find((speed) => String(speed) === setting("speed")) ?? 1,
-      seenFrom: setting("from") === "block" ? "block" : "ground",
+      seenFrom: FRAMES.find((frame) => frame === setting("from")) ?? stage.defaultFrame(),
     }),
     /** The address's layers, or undefined. */
     layers() {

@@ -28,7 +28,7 @@ export function makeLayers(root) {
   // `place` is the geometry from `layout`. `maxima` has the largest value of each kind of arrow, and `unitLengths` the
   // length of an arrow of one unit [cm]. `measure` determines maxima and unit lengths when a layer first needs them.
   let shown = new Set(), place = null, maxima, unitLengths, data = {}, seenFrom = "ground", measure = null;
-  let isLayered = false, displacedFrom; // the reference frame of the displacements, if it is not that of the view
+  let isLayered = false;
 
   const [bars, names, shares] = [".bar i", ".legend span", ".legend b"].map((each) => [...root.querySelectorAll(each)]);
   const lines = {}; // layer and name → the function that sets the line's path
@@ -52,7 +52,7 @@ export function makeLayers(root) {
 
   function machine(parameters, solution, newData, from) {
     [data, seenFrom] = [newData, from];
-    show(shown, displacedFrom);
+    show(shown);
     // Sample a period only when a layer first needs it.
     measure = () => {
       findScales(onePeriod(parameters, solution, PERIOD_POINTS));
@@ -62,6 +62,9 @@ export function makeLayers(root) {
       measure = null;
     };
   }
+
+  /** Whether the velocities of the hoop's points are drawn: beside displacements their arrows would be confused. */
+  const showsRolling = () => seenFrom === "block" && !shown.has("displacements");
 
   const velocity = (name, known) => FORMULAS.velocity[name](known) - frameValue(FORMULAS.velocity, known, seenFrom);
 
@@ -109,12 +112,12 @@ export function makeLayers(root) {
   }
 
   function frame(known, shift, writesText) {
-    if (isLayered || seenFrom === "block") measure?.();
+    if (isLayered || showsRolling()) measure?.();
     const origin = frameValue(FORMULAS.displacement, known, seenFrom);
     if (shown.has("traces")) set(find(".traces"), { transform: `translate(${(origin - shift) * CM})` });
     if (shown.has("displacements")) drawDisplacements(known, shift);
     if (shown.has("arrows") || data.velocities) drawArrows(known, shift);
-    if (seenFrom === "block") drawRolling(known, shift);
+    if (showsRolling()) drawRolling(known, shift);
     if (shown.has("forces") || data.forces) drawForces(known, shift);
     if (shown.has("coordinates")) drawCoordinates(find(".coordinates"), known, place, shift);
     if (shown.has("energy")) drawEnergy(known, writesText);
@@ -123,7 +126,7 @@ export function makeLayers(root) {
   /** Draw arrows to scale from the places before the compression. Relative to the block, these move with it. */
   function drawDisplacements(known, shift) {
     const displaced = displacements(known, shift);
-    const start = (frameValue(FORMULAS.displacement, known, displacedFrom ?? seenFrom) - shift) * CM;
+    const start = (frameValue(FORMULAS.displacement, known, seenFrom) - shift) * CM;
     for (const [name, [x, y]] of Object.entries(anchors(place))) {
       draw("displacements", name, name, displacementArrow(x + start, y, displaced[name] - start, headOf(place.R)));
     }
@@ -204,23 +207,23 @@ export function makeLayers(root) {
     });
   }
 
-  function show(names, newDisplacedFrom) {
-    [shown, displacedFrom] = [names, newDisplacedFrom];
+  function show(names) {
+    shown = names;
     for (const name of layers) {
       for (const node of [find(`.${name}`), find(`[data-of=${name}]`)]) setVisible(node, shown.has(name));
     }
     if (data.forces) setVisible(find(".forces"), true);
     if (data.velocities) setVisible(find(".arrows"), true);
     find(".machine").classList.toggle("lettered", Boolean(data.forces));
-    setVisible(find(".rolling"), seenFrom === "block");
+    setVisible(find(".rolling"), showsRolling());
     find(".machine").classList.toggle("from-block", seenFrom === "block");
     // Both keys have the same place.
-    const hasSpeeds = shown.has("arrows") || seenFrom === "block";
+    const hasSpeeds = shown.has("arrows") || showsRolling();
     setVisible(find(".speed"), hasSpeeds);
     setVisible(find(".shift"), shown.has("displacements") && !hasSpeeds);
     const hasForces = Boolean(data.forces) || shown.has("forces");
     const atCentres = ["displacements", "arrows", "coordinates"];
-    const hasArrowsAtCentres = atCentres.some((name) => shown.has(name)) || seenFrom === "block";
+    const hasArrowsAtCentres = atCentres.some((name) => shown.has(name)) || showsRolling();
     find(".machine").classList.toggle("centred", hasForces && !data.forces && !hasArrowsAtCentres);
     isLayered = data.forces || data.velocities || [...shown].some((name) => name !== "energy");
     find(".machine").classList.toggle("layered", Boolean(isLayered));

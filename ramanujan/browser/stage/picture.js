@@ -24,7 +24,7 @@ const CHARACTER = 0.54; // width of a character of the ruler's labels, at most, 
  * - frame({ known, playback, shift, writesText }): draw a frame. known: parameters, state, Omega; shift: of the view
  *   [m]; writesText: whether the running numbers are updated, too
  * - explainDrift(sentence): replace the sentence about the drift until the drift changes
- * - show(layers, from): show this set of layers, and displacements relative to the ground or the block
+ * - show(layers): show this set of layers
  * - ghosts(states): draw copies of the machine in these states, for reduced motion
  * - collision(known): return the end of the motion in this state, or null
  * - toMetres(clientX): convert a pointer's x to metres along the floor

@@ -35,6 +35,7 @@ class Stage {
   data; // the last message of `publish` in __init__.py
   layers; // the layers shown
   chosenLayers = null; // the layers that a person or a class's desk has chosen, if any
+  followedFrame = "ground"; // the frame of reference of the view that was shown last
   parameters; // of the drawn machine: those in the message, with the visitor's changes
   solution; // the motion of the drawn machine, from `solve`
   shapes; // the radius and the shapes in the drawn geometry
@@ -80,7 +81,7 @@ class Stage {
     bus.subscribe(`story/${stage}`, (screenPeriod) => this.setScreenPeriod(screenPeriod), { signal });
     bus.subscribe(`machine/${stage}`, (payload) => this.receive(payload), { signal });
     bus.subscribe(`view/${clock}`, (view) => this.follow(view), { signal });
-    bus.subscribe("slide", () => this.data && this.showLayers(), { signal });
+    bus.subscribe("slide", () => this.data && this.showView(), { signal });
   }
 
   // ---- data from Python, and changes
@@ -91,10 +92,11 @@ class Stage {
    */
   receive(data) {
     const before = this.data;
-    if (!before) Object.assign(this.clock, this.keeper.clock());
     this.hide(data.hide ?? []);
     this.change(() => {
       this.data = data;
+      this.followFrame();
+      if (!before) Object.assign(this.clock, this.keeper.clock());
       if (before && data.releases !== before.releases) this.reset();
     });
     const { computed } = data;
@@ -382,6 +384,23 @@ class Stage {
     return this.data?.views?.[bus.last("slide") ?? ""] ?? {};
   }
 
+  /** Show the layers of a new slide, and see the machine from its frame of reference. */
+  showView() {
+    this.change(() => this.followFrame());
+    this.showLayers();
+  }
+
+  /** The frame of reference of the present view. A person may choose the other one, until a view with another frame. */
+  defaultFrame() {
+    return this.view().from ?? "ground";
+  }
+
+  followFrame() {
+    const frame = this.defaultFrame();
+    if (frame === this.followedFrame) return;
+    this.followedFrame = this.clock.seenFrom = frame;
+  }
+
   /** The layers that are shown until a person chooses others. */
   defaultLayers() {
     return this.view().layers ?? this.firstLayers;
@@ -389,7 +408,7 @@ class Stage {
 
   showLayers() {
     this.layers = new Set(this.chosenLayers ?? this.defaultLayers());
-    this.picture.show(this.layers, this.view().from);
+    this.picture.show(this.layers);
     this.showClock();
   }
 

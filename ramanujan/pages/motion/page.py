@@ -59,8 +59,8 @@ def show() -> None:
         with picture:
             scene = st.container(key="without_dials")
         with words, st.container(key="settings"):
-            contacts = st.container()
-            with choose_initial_velocities():
+            contacts = st.container(key="friction_limit")
+            with st.container(key="initial_velocities"), choose_initial_velocities():
                 glide, spin = widgets.page_slider(GLIDE), widgets.page_slider(SPIN)
                 if not is_projector:
                     plots.explain_zero_modes()
@@ -71,13 +71,8 @@ def show() -> None:
     with scene:
         draw_machine(motion, friction)
         cursor.mount("motion")
-    if not is_projector:
-        # The line of the fold is the verdict, in every view. It is open where the forces are drawn.
-        is_open = address.current(FIGURE) == "forces"
-        heading, sentence = describe_friction(friction, compression)
-        with contacts, display_mode.fold(f"contacts_{is_open}", heading, expanded=is_open):
-            widgets.page_slider(MU)
-            st.markdown(sentence)
+    with contacts:
+        choose_friction(*describe_friction(friction, compression))
     with figure_column:
         draw_figures(motion, friction, setting)
         if not is_projector:
@@ -91,6 +86,19 @@ def choose_initial_velocities() -> AbstractContextManager[Any]:
     is_open = any(parameter.value for parameter in (GLIDE, SPIN))
     title = _("Give the machine an initial velocity")
     return display_mode.fold("velocities", title, expanded=is_open)
+
+
+def choose_friction(verdict: str, sentence: str) -> None:
+    """Draw the slider of μ with its verdict, which is the line of a fold except in the projector view."""
+    if display_mode.is_projector():
+        widgets.page_slider(MU)
+        st.markdown(verdict)
+        return
+    # The verdict is seen in every view. The fold is open where the forces are drawn.
+    is_open = address.current(FIGURE) == "forces"
+    with display_mode.fold(f"contacts_{is_open}", verdict, expanded=is_open):
+        widgets.page_slider(MU)
+        st.markdown(sentence)
 
 
 def draw_machine(motion: Record, friction: Friction) -> None:
@@ -115,9 +123,12 @@ def draw_machine(motion: Record, friction: Friction) -> None:
 def stage_views() -> dict[str, dict[str, Any]]:
     """Return what the stage shows beside the open figure, or beside each slide: the quantity of this figure."""
     if not display_mode.is_projector():
-        return {"": {"layers": LAYERS[address.current(FIGURE)], "from": address.current(PLANE)}}
-    views = {slide: {"layers": layers} for slide, layers in LAYERS.items()}
-    return views | {SLIDES["block"]: {"layers": LAYERS["displacements"], "from": "block"}}
+        figure = address.current(FIGURE)
+        frame = address.current(PLANE) if figure == "displacements" else "ground"
+        return {"": {"layers": LAYERS[figure], "from": frame}}
+    frames = {SLIDES["block"]: "block", "phase_plane": address.current(PLANE)}
+    layers = {**LAYERS, SLIDES["block"]: LAYERS["displacements"]}
+    return {slide: {"layers": names, "from": frames.get(slide, "ground")} for slide, names in layers.items()}
 
 
 def describe_friction(friction: Friction, compression: float) -> tuple[str, str]:
@@ -193,9 +204,6 @@ def draw_contact_forces(motion: Record, figures: Mapping[str, EncodedFigure], fr
         plots.draw_friction(motion, figures[cache.FRICTION], friction)
     with slide("friction", _("Friction needed"), heading=_("Friction needed")):
         plots.draw_required_friction(motion, friction)
-        if display_mode.is_projector():
-            widgets.page_slider(MU)
-            st.markdown(describe_friction(friction, motion.compression)[0])
     title = _("Normal forces: the weight of the slab shifts between its rollers")
     folded("normal_forces", title, partial(plots.draw_normal_forces, motion, figures[cache.NORMAL_FORCE]))
 

@@ -188,16 +188,29 @@ def check_letters(picture: Picture) -> None:
 
 
 def check_displacements_from_the_block(picture: Picture) -> None:
-    """Check the displacements beside a graph relative to the block."""
+    """Check that a graph relative to the block has its displacements beside it, and a block at rest.
+
+    A person may choose the other frame, which then remains until a graph with another frame.
+    """
     machine, compression = Oscillator(1.0, 2.0, 30.0), 0.08
-    data = stage.payload(machine, compression, views={"": {"from": "block"}})
     picture.show(machine, compression)
-    picture.bare.put(lambda: stage.publish(data, name=picture.name))
+
+    def show_from(frame: str) -> float:
+        """Show a graph relative to this frame. Return the block's motion in the picture [pixels]."""
+        data = stage.payload(machine, compression, views={"": {"from": frame}})
+        picture.bare.put(lambda: stage.publish(data, name=picture.name))
+        return picture.at(0.6)["block"][0] - picture.at(0.1)["block"][0]
+
+    assert abs(show_from("block")) < PIXEL
     drawn = picture.at(0.6)
     lines = drawn["layers"]["displacements"]["lines"]
     for name, x in relative_positions(machine, picture.q).items():
         assert length(lines[name]) == pytest.approx(float(x) * picture.pixels, abs=PIXEL), name
     assert length(lines["block"]) == pytest.approx(0, abs=PIXEL)
+    picture.find("root.querySelector('.viewpoint input').click()")
+    assert abs(show_from("block")) > 2 * PIXEL
+    assert abs(show_from("ground")) > 2 * PIXEL
+    assert abs(show_from("block")) < PIXEL
 
 
 UNPAINTED = """[...root.querySelectorAll("[data-line] .line, .scales [data-of] path")].filter((path) => {

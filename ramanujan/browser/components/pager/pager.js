@@ -71,6 +71,7 @@ class Pager {
       bus.forget("slides");
       bus.forget("slide");
       delete document.documentElement.dataset.pager;
+      delete document.body.dataset.shown;
       applyProjectorStyle(false);
       for (const { node } of this.slides) node.removeAttribute(AWAY);
     });
@@ -111,7 +112,10 @@ class Pager {
     this.hasShown ||= now >= 0;
     reveal(now, this.slides);
     const name = this.slides[now]?.name;
-    if (name !== bus.last("slide")) bus.publish("slide", name);
+    if (name !== bus.last("slide")) {
+      bus.publish("slide", name);
+      document.body.dataset.shown = name ?? ""; // with it, a page hides the settings that do not concern a slide
+    }
     this.list.selectedIndex = now;
     // A single slide needs no pager, and a lesson counts its stops itself.
     this.list.parentElement.style.display = this.slides.length > 1 ? "" : "none";
