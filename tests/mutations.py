@@ -95,6 +95,7 @@ MUTATIONS = [
         "length = -newtons * unitLengths.force",
         LAYERS,
     ),
+    Mutation("the bodies stay together", "stage/picture.js", "-bottom - SUNKEN_FLOOR", "0", LAYERS),
     Mutation(
         "the reference arrow is too long",
         "stage/layers.js",

@@ -191,17 +191,20 @@ def apply_color(formula: str, color: str | None) -> str:
     return rf"\textcolor{{{color}}}{{{formula}}}" if color else formula
 
 
-def plain_text(expression: sp.Expr) -> str:
-    """Return a short expression as a label: Unicode on one line, factors side by side.
+def plain_text(term: sp.Expr) -> str:
+    """Return a term without a fraction as a label: Unicode on one line, its factors in the order of the equations.
 
-    >>> from ramanujan.derivation.model import R, phi
-    >>> plain_text(2 * R * phi)
-    '2Rφ'
+    >>> from ramanujan.derivation.model import R, k, phi
+    >>> plain_text(-2 * R * k * phi)
+    '−2kRφ'
     """
     # The printer has the letter φ for the name phi, but not for varphi.
     renamed = {q: sp.Function(str(q.func).replace("var", ""))(model.t) for q in model.COORDINATES}
     printer = VectorPrettyPrinter({"use_unicode": True, "wrap_line": False})
-    return printer.doprint(expression.subs(renamed).doit()).replace("⋅", "")
+    number, factors, _below = to_product(term)
+    size = [] if factors and abs(number) == 1 else [abs(number)]
+    texts = [printer.doprint(factor.subs(renamed).doit()) for factor in (*size, *factors)]
+    return "".join(["−" if number < 0 else "", *texts])
 
 
 def javascript(formulas: Mapping[str, Any]) -> str:

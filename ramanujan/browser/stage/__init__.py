@@ -54,7 +54,8 @@ The message, published at every change; all but the first entry are optional:
                  run, the number of the run;
                  screen_period, the duration of a plain-mass period on the screen [s] while a new run is first shown
     slipping     the contact to mark, such as hoop_slab
-    forces       the contacts, or spring, whose forces are drawn strongly; all forces have letters
+    forces       the contacts, or spring, whose forces are drawn strongly; all forces have letters, and the bodies are
+                 drawn apart
     held         true pauses a moving machine at its release; the next message without it plays this machine again
     velocities   whether the velocities are drawn without their scale, with or without their layer
     hide         the hidden parts, members of `PARTS`
@@ -124,7 +125,7 @@ def payload(
     samples, computed : a computed motion; `samples` replaces the exact one, `computed` is an outline over it
     slipping : the contact to mark, such as hoop_slab
     forces : the contacts, or "spring", whose forces are drawn strongly; the others are drawn faintly. All forces then
-        have letters, with or without the layer of forces.
+        have letters, with or without the layer of forces. The bodies are drawn apart, each with its own forces.
     held : whether to pause a moving machine at its release, where forces are greatest
     velocities : whether the velocities are drawn without their scale, with or without their layer
     views : slide, or "" in the normal view → its layers, until a person chooses others, and its frame of reference

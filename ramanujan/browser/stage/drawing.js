@@ -125,22 +125,24 @@ const MAX_OFFSET = 1.5;
 
 /**
  * The forces parallel to the floor, name → { body, x, y, newtons to the right, isPull }. A contact has two opposite and
- * equal forces.
+ * equal forces. If the bodies are drawn apart, the force on a roller is outside its rim, and the other has room for its
+ * letter within slab or block.
  */
-export function horizontalForces(values, place, shift) {
+export function horizontalForces(values, place, shift, areApart) {
   const displaced = displacements(values, shift), offset = Math.min(0.22 * place.R, MAX_OFFSET), forces = {};
+  const [onRoller, onOther] = areApart ? [-offset, place.thick / 2] : [offset, offset];
   for (const [contact, { roller, other, side }] of Object.entries(CONTACTS)) {
     const x = place.centre[roller][0] + displaced[roller], y = place.centre[roller][1] + side * place.R;
     const friction = FORMULAS.contact_force[contact](values);
-    forces[`${contact} ${roller}`] = { body: roller, x, y: y - side * offset, newtons: friction };
-    forces[`${contact} ${other}`] = { body: other, x, y: y + side * offset, newtons: -friction };
+    forces[`${contact} ${roller}`] = { body: roller, x, y: y - side * onRoller, newtons: friction };
+    forces[`${contact} ${other}`] = { body: other, x, y: y + side * onOther, newtons: -friction };
   }
   // The spring's forces are drawn on their bodies, so that they do not cover it: a push begins at the spring, and a
-  // pull ends there. That on the slab is above the letters of the rollers' forces.
+  // pull ends there. Both are clear of the letters of friction, above the slab and below the block's upper surface.
   const axis = place.slab.bottom + place.thick / 2, { slab, block } = FORMULAS.spring_force;
   const [from, to] = [place.slab.right + displaced.slab, place.riser + displaced.block], isPull = slab(values) > 0;
   forces["spring slab"] = { body: "slab", x: from, y: axis + 2.6 * offset, newtons: slab(values), isPull };
-  forces["spring block"] = { body: "block", x: to, y: axis - 0.4 * offset, newtons: block(values), isPull };
+  forces["spring block"] = { body: "block", x: to, y: axis - 1.2 * offset, newtons: block(values), isPull };
   return forces;
 }
 

@@ -63,6 +63,7 @@ def collect_labels() -> dict[str, Any]:
         "contact_force": {
             contact.name: [letters[contact.name], BODIES[contact.roller].subscript] for contact in CONTACTS
         },
+        "spring_force": {name: plain_text(force) for name, force in spring_forces(paper_machine).items()},
         "deformation": plain_text(paper_machine.deformation),
         "rolling": {name: plain_text(velocity) for name, velocity in _rolling(paper_machine).items()},
     }

@@ -15,12 +15,14 @@ import { WORDS } from "./texts.js";
 
 const TRACE_POINTS = 90;
 const PERIOD_POINTS = 24; // states of a period at which the largest speed and force are sampled
-const LONGEST = { speed: 1.5, friction: 1.5, spring: 4 }; // length of the longest arrow, in radii of a roller
+// Length of the longest arrow, in radii of a roller. Friction with letters leaves room for them between two contacts.
+const LONGEST = { speed: 1.5, friction: 1.5, lettered: 1, spring: 3.1 };
 const SMALLEST_RADIUS = 8; // cm, the least unit of these lengths, so that the arrows of small rollers are visible
 const LONGEST_FORCE_HEAD = 2.7; // cm
-const SHORTEST_LETTERED = 1; // cm, the shortest force with a visible letter
+const SHORTEST_LETTERED = 0.4; // cm, the shortest force with a visible letter
 const GAP = 1.2; // cm between an arrow and its label
-const LETTER = { half: 1.5, shift: 0.9 }; // cm, half the height of a force's letter, and its height above the arrow
+const HALF_A_LETTER = 2.7; // cm, half the height of a force's letter with its index
+const SPRING_LETTER = { inset: 3, distance: 4 }; // cm from the spring, and from the arrow of the spring's force
 const LABEL_WIDTH = 15; // cm, at least the width of the longest label of `drawRolling`
 
 export function makeLayers(root) {
@@ -81,7 +83,7 @@ export function makeLayers(root) {
     const friction = largest((known) => Object.values(mapValues(FORMULAS.contact_force, (force) => force(known))));
     const spring = largest((known) => [FORMULAS.spring_force.slab(known)]);
     maxima = { speed, force: friction };
-    const forBoth = Math.min(LONGEST.friction / friction, LONGEST.spring / spring);
+    const forBoth = Math.min(LONGEST.lettered / friction, LONGEST.spring / spring);
     unitLengths = {
       speed: (LONGEST.speed * size) / speed,
       force: size * (data.forces ? forBoth : LONGEST.friction / friction),
@@ -157,7 +159,8 @@ export function makeLayers(root) {
   }
 
   function drawForces(known, shift) {
-    const forces = horizontalForces(known, place, shift), names = Object.keys(forces).filter(isDrawn);
+    const forces = horizontalForces(known, place, shift, Boolean(data.forces));
+    const names = Object.keys(forces).filter(isDrawn);
     const head = Math.min(headOf(place.R), LONGEST_FORCE_HEAD);
     for (const name of names) {
       const { body, x, y, newtons, isPull } = forces[name];
@@ -173,28 +176,38 @@ export function makeLayers(root) {
     set(find(".slipping"), { transform: `translate(${x} ${-y})` });
   }
 
-  /** Make the letter of a force. That of a reaction needs no index, because its force is at the same contact. */
+  /** Make the letters of a force, as in the equations. */
   function makeLetter(name) {
-    const letter = element("text", {}, find(`.forces [data-line="${name}"]`));
-    const [symbol, index] = WORDS.contact_force[name.split(" ")[0]] ?? [];
-    letter.textContent = `${isOnRoller(name) ? "" : "−"}${symbol ?? ""}`;
-    if (isOnRoller(name)) element("tspan", { class: "subscript", dy: ".25em" }, letter).textContent = index;
+    const letter = element("text", {}, find(`.forces [data-line="${name}"]`)), [force, body] = name.split(" ");
+    const [symbol, index] = WORDS.contact_force[force] ?? [WORDS.spring_force[body]];
+    const isReaction = index && !isOnRoller(name);
+    const [sign, digit = "", symbols = ""] = `${isReaction ? "−" : ""}${symbol}`.split(/(\d)/);
+    letter.append(sign);
+    element("tspan", { class: "digit" }, letter).textContent = digit;
+    letter.append(symbols);
+    if (index) element("tspan", { class: "subscript", dy: ".25em" }, letter).textContent = index;
     return letter;
   }
 
-  /** Draw the letter of a force at the head of its arrow, as in the equations; draw the step's own forces strongly. */
+  /**
+   * Draw the letters of a force. Those of friction are at the head of its arrow; those of the spring's force are at the
+   * end of its arrow at the spring. Draw the step's own forces strongly.
+   */
   function drawLetter(name, x, y, length) {
-    const [force] = name.split(" "), { roller, side: contactSide } = CONTACTS[force] ?? {};
-    const letter = (letters[name] ??= makeLetter(name));
-    const side = length < 0 ? -1 : 1, isVisible = roller && Math.abs(length) > SHORTEST_LETTERED;
-    // Each letter is clear of the outlines: away from the contact, and outside the rim of a roller.
-    const onRoller = isOnRoller(name), letterY = y + (onRoller ? -1 : 1) * (contactSide ?? 0) * LETTER.shift;
-    const inner = onRoller ? Math.abs(letterY - place.centre[roller][1]) - LETTER.half : place.R;
+    const [force, body] = name.split(" "), letter = (letters[name] ??= makeLetter(name));
+    const isVisible = Math.abs(length) > SHORTEST_LETTERED;
+    // A letter at a roller is clear of its rim.
+    const inner = isOnRoller(name) ? Math.abs(y - place.centre[body][1]) - HALF_A_LETTER : place.R;
     const rim = Math.sqrt(Math.max(0, place.R ** 2 - inner ** 2));
-    set(letter, { x: x + side * (Math.max(Math.abs(length), rim) + GAP), y: -letterY });
+    const [side, along, across] = {
+      "spring slab": [-1, SPRING_LETTER.inset, SPRING_LETTER.distance],
+      "spring block": [1, SPRING_LETTER.inset, -SPRING_LETTER.distance],
+    }[name] ?? [length < 0 ? -1 : 1, Math.max(Math.abs(length), rim) + GAP, 0];
+    set(letter, { x: x + side * along, y: -y - across });
     Object.assign(letter.style, { textAnchor: side < 0 ? "end" : "start", visibility: isVisible ? "" : "hidden" });
     // Between small rollers, an index would reach the next roller.
-    if (onRoller) letter.lastChild.style.display = place.R < SMALLEST_RADIUS ? "none" : "";
+    const index = letter.querySelector(".subscript");
+    if (index) index.style.display = place.R < SMALLEST_RADIUS ? "none" : "";
     letter.parentNode.classList.toggle("faint", !data.forces.includes(force));
   }
 
@@ -238,7 +251,7 @@ export function makeLayers(root) {
  * path.
  */
 function makeLine(name, body, parent) {
-  const group = element("g", { "data-line": name, style: `--arrow: var(--${body}-ink)` }, parent);
+  const group = element("g", { "data-line": name, "data-body": body, style: `--arrow: var(--${body}-ink)` }, parent);
   const paths = ["rim", "line"].map((kind) => element("path", { class: kind }, group));
   return (d) => paths.forEach((path) => set(path, { d }));
 }

@@ -14,6 +14,7 @@ import { finder } from "./parts.js";
 import { element, put, set, strip } from "./svg.js";
 import { WORDS } from "./texts.js";
 
+const SUNKEN_FLOOR = 1.5; // cm between the floor and the lower edge of the view while the bodies are drawn apart
 const CHARACTER = 0.54; // width of a character of the ruler's labels, at most, relative to the picture's font size
 
 /**
@@ -65,6 +66,8 @@ export function makePicture(root, { compact, dials, narrow, limits, label, rest_
     const { left, right, bottom, top } = place.view;
     set(svg, { viewBox: `${left} ${-top} ${right - left} ${top - bottom}` });
     moving.style.setProperty("--R", place.R);
+    // The bodies are drawn apart as far as the floor can sink within the view.
+    svg.style.setProperty("--gap", -bottom - SUNKEN_FLOOR);
     put(find, scenery(place));
     put(inMoving, outlines(place, parameters));
     drawRuler(svg, place);

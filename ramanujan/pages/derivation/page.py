@@ -244,7 +244,10 @@ def draw_step(setting: Setting, number: int) -> None:
     widgets.equations(f"{setting.route}_{number}", wide, narrow)
     if setting.is_lecture and not display_mode.is_projector() and named_forces(step.equations):
         with container("click", f"forces_{number}"):
-            hint = _("At the release the forces are greatest, so the machine stands there. Play shows them change.")
+            hint = _(
+                "The bodies are drawn apart, each with the forces on it. At the release the forces are greatest. Play "
+                "shows them change."
+            )
             st.caption(hint)
     if step.key in ASKED and setting.is_lecture and not display_mode.is_projector():
         with st.container(key=f"try_link_{number}"):

@@ -157,6 +157,8 @@ LETTERS = {
     "top_block": "Ftop",
 }
 """Contact → the letter of its force on the roller with its index, as in the equations of Newton's route."""
+SPRING_LETTERS = {"slab": "−2kRφ", "block": "2kRφ"}
+"""Body → the spring's force on it, as in the equations."""
 LETTERED = """[...root.querySelectorAll(".forces [data-line]")].map((group) => {
   const text = group.querySelector("text"), { left, right } = text.getBoundingClientRect();
   return [group.dataset.line, text.style.visibility ? "" : text.textContent, (left + right) / 2,
@@ -180,11 +182,42 @@ def check_letters(picture: Picture) -> None:
         for name, letter, x, is_strong in letters:
             contact, body = name.split()
             on_roller = body == contact.split("_")[0]
-            expected = LETTERS.get(contact, "")
-            assert letter == (expected if on_roller or contact == "spring" else f"−{expected[0]}")
+            expected = SPRING_LETTERS[body] if contact == "spring" else LETTERS[contact]
+            assert letter == (expected if on_roller or contact == "spring" else f"−{expected}")
             assert is_strong == (contact in own)
             tail, _y = drawn["forces"][name]["tail"]
             assert contact == "spring" or (x - tail) * force[name] > 0, name
+
+
+def check_bodies_apart(picture: Picture) -> None:
+    """Check that beside equations of forces the bodies are apart, and that each force is at its own body."""
+    for radius in (0.05, 0.1, 0.2):
+        machine = Oscillator(1.0, 2.0, 30.0, radius)
+        picture.show(machine, 0.08)
+        assert max(map(abs, gaps(picture.at(0.0)))) < PIXEL
+        data = stage.payload(machine, 0.08, forces=("hoop_slab",))
+        picture.bare.put(lambda data=data: stage.publish(data, name=picture.name))
+        drawn = picture.at(0.0)
+        gap = min(gaps(drawn))
+        assert gap > 0.05 * picture.pixels
+        for name, arrow in drawn["forces"].items():
+            contact, body = name.split()
+            if contact != "spring":
+                roller, other = contact.split("_")
+                (_x, y), R = drawn["rollers"][roller]["centre"], drawn["rollers"][roller]["radius"]
+                rim = y - R if other == "slab" else y + R
+                beyond = -gap if other == "slab" else gap
+                surface = rim if body == roller else rim + beyond
+                assert abs(arrow["tail"][1] - surface) < gap / 2, (radius, name)
+    picture.show(machine, 0.08)
+    assert max(map(abs, gaps(picture.at(0.0)))) < PIXEL
+
+
+def gaps(drawn: dict) -> list[float]:
+    """Return the vertical gaps between slab and lower rollers, and between the top roller and the block [px]."""
+    rollers = drawn["rollers"]
+    above_lower = [rollers[name]["centre"][1] - rollers[name]["radius"] - drawn["slab"][3] for name in ROLLERS[:2]]
+    return [*above_lower, drawn["block"][1] - rollers["top"]["centre"][1] - rollers["top"]["radius"]]
 
 
 def check_displacements_from_the_block(picture: Picture) -> None:
@@ -246,6 +279,7 @@ def test_the_marks_of_every_layer_agree_with_the_core(bare):
         assert max(abs(length(arrow)) for arrow in released_forces) > machine.radius * picture.pixels
     assert min(longest.values()) > 20 * PIXEL, longest
     check_letters(picture)
+    check_bodies_apart(picture)
     check_displacements_from_the_block(picture)
     unpainted = sorted(set(picture.find(UNPAINTED)))
     assert not unpainted, f"stage.css needs rules for the lines and reference arrows of {unpainted}."

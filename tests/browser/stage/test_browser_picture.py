@@ -425,10 +425,27 @@ def test_no_letter_is_covered_by_an_arrow_or_another_letter(picture, sample):
     check_lettered_forces(picture, boxes)
 
 
+SLIDE = (676, "27.6px")
+"""Width of the window with a picture as wide as on a slide of 1280 × 720 pixels, and the size of its words."""
+SMALLEST_LETTER = """Math.min(...[...root.querySelectorAll(".forces text")].map((text) =>
+  parseFloat(getComputedStyle(text).fontSize) * text.getScreenCTM().a))"""
+"""The smallest size of a force's letters [px]."""
+
+
 def check_lettered_forces(picture, boxes: str) -> None:
-    """Check that the letters of forces with their indices are clear of all letters and of each other's arrows."""
+    """Check that the letters of forces with their indices are clear of all letters and of each other's arrows.
+
+    At the release of an ordinary machine every force has letters. Those on a slide are large.
+    """
     picture.layers("coordinates")
-    for m_prime, R in product((0.05, 1.0, 8.0), (0.05, 0.1)):
+    machines = [*product((0.05, 0.1, 1.0, 5.0, 8.0), (0.05, 0.1, 0.2), [(1280, "")])]
+    machines += product((0.1, 1.0, 5.0), [0.1], [(390, ""), (820, ""), SLIDE])
+    for m_prime, R, (width, text) in machines:
+        picture.page.set_viewport_size({"width": width, "height": 720})
+        picture.page.evaluate("(text) => document.body.style.setProperty('--stage-text', text)", text)
+        # The small stages beside equations have no plain mass.
+        picture.find(f"root.querySelector('.stage').classList.toggle('compact', {width} < 1000)")
+        next_frame(picture.page)
         machine = Oscillator(1.0, m_prime, 10.0, R)
         picture.show(machine, 0.08)
         data = stage.payload(machine, 0.08, forces=("spring",))
@@ -440,6 +457,10 @@ def check_lettered_forces(picture, boxes: str) -> None:
                 assert not overlap(first, second, 0.35), (m_prime, R, periods, a, b)
             for letter, box in seen["own_letters"]:
                 assert not [name for name, arrow in seen["forces"] if overlap(box, arrow, 0.25)], (m_prime, R, letter)
+            if periods == 0.0 and m_prime >= 0.1 and R >= 0.1:
+                assert len(seen["own_letters"]) == 12, (m_prime, R)
+            if text:
+                assert picture.find(SMALLEST_LETTER) >= 23.9
 
 
 def overlap(a: list[float], b: list[float], inset: float) -> bool:
