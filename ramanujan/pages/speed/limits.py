@@ -90,13 +90,17 @@ def draw_digits() -> None:
     with container("lead", "digits"):
         st.markdown(_QUESTIONS[name])
     prediction = widgets.pills(PREDICTIONS[name], _("Your prediction"), label_visibility="collapsed")
-    digits.mount(f"digits_{name}", _payload(name, is_predicted=prediction is not None))
+    digits.mount(f"digits_{name}", _payload(name, prediction))
 
 
-def _payload(name: str, *, is_predicted: bool) -> dict[str, Any]:
+def _payload(name: str, prediction: str | None) -> dict[str, Any]:
     """Return the samples of an experiment in texts, for `digits.mount`."""
-    samples = cache.compare_digits(name)
-    notes = {"right": _AGREE if is_predicted else _PREDICT} | _NOTES["time" if name == "time" else "mass"]
+    samples, is_predicted = cache.compare_digits(name), prediction is not None
+    reasons = _NOTES["time" if name == "time" else "mass"]
+    notes = dict.fromkeys(["right", *reasons], _PREDICT)
+    if prediction:
+        verdict = _judge(prediction, samples)
+        notes = {"right": _AGREE} | {kind: f"{verdict} {reason}" for kind, reason in reasons.items()}
     numbers = {"digits": DIGITS, "largest": float(np.finfo(float).max)}
     used = _("used by this app") if is_predicted else ""
     plain, own = _FORMULAS[name]
@@ -115,6 +119,15 @@ def _payload(name: str, *, is_predicted: bool) -> dict[str, Any]:
         "samples": [_describe_sample(name, sample, kinds) for sample in samples],
         "notes": [filled(note, **numbers) for note in notes.values()],
     }
+
+
+def _judge(prediction: str, samples: list[Sample]) -> str:
+    """Return whether a prediction names the formulas that keep all their digits."""
+    least = {name: min(getattr(sample, name).digits for sample in samples) for name in ("plain", "used")}
+    right = [name for name, digits in least.items() if digits >= DIGITS - 1]
+    if prediction == ("both" if len(right) > 1 else right[0]):
+        return _("Your prediction was right.")
+    return _("Not right. You predicted: {answer}.").format(answer=_ANSWERS[prediction])
 
 
 def _describe_sample(name: str, sample: Sample, kinds: list[str]) -> list[Any]:

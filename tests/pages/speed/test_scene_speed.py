@@ -226,6 +226,9 @@ def test_the_digits_of_both_formulas_wait_for_a_prediction_and_then_show_where_t
         [(cells, number_of_note)] = [sample[1:] for sample in shown["samples"] if sample[0] == asked]
         assert [digits for *_texts, digits in cells] == [0, 15, None]
         assert note in shown["notes"][number_of_note]
+        assert "Not right. You predicted: both." in shown["notes"][number_of_note]
+        app.button_group(key=f"predict_{name}").set_value("used").run()
+        assert "Your prediction was right." in data()["notes"][number_of_note]
         assert cells[1][1:4] == cells[2][1:4], "the right digits are those of the exact value"
 
 
