@@ -72,7 +72,7 @@ def draw_options() -> None:
         columns = st.columns(3, gap="small")
     for column, parameter in zip(columns, URL_PARAMETERS, strict=True):
         with column:
-            widgets.segmented_control(parameter, PLACE_WORDS[parameter.name], on_change=bring_into_step)
+            widgets.segmented_control(parameter, PLACE_WORDS[parameter.name])
 
 
 def bring_into_step() -> None:
