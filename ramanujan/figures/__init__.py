@@ -85,6 +85,9 @@ def build_figure(
     return encode_figure(traces, {"template": template(colors, hover), "height": height, "showlegend": False, **layout})
 
 
+WITHOUT_HOVER = {"hoverinfo": "skip", "hovertemplate": ""}
+"""Properties of a trace that the pointer does not find. The template's hover text would override the first one."""
+
 _TYPES = {"float32": "f4", "float64": "f8", "int8": "i1", "uint8": "u1", "int16": "i2", "int32": "i4"}
 """NumPy dtype → Plotly dtype, for arrays in bytes."""
 

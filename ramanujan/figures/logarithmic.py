@@ -5,7 +5,7 @@ from typing import Any
 
 import numpy as np
 
-from ramanujan.figures import line
+from ramanujan.figures import WITHOUT_HOVER, line
 
 Colors = Mapping[str, str]
 
@@ -27,7 +27,7 @@ def log_axis(title: str, limits: tuple[float, float], decades: int = 1) -> dict[
 def level_line(ends: Sequence[float], level: float, name: str, colors: Colors) -> dict[str, Any]:
     """Return a horizontal line for comparison with the curves."""
     trace = line(list(ends), [level] * 2, color=colors["ink"], dash="dash", width=1.5)
-    return trace | {"name": name, "hoverinfo": "skip"}
+    return trace | {"name": name, **WITHOUT_HOVER}
 
 
 def select_drawable(values: np.ndarray, upper: float) -> np.ndarray:

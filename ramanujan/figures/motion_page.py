@@ -10,7 +10,17 @@ from typing import Any
 import numpy as np
 from plotly.colors import hex_to_rgb
 
-from ramanujan.figures import NO_NAME, EncodedFigure, build_figure, legend, line, note, spread, without_tags
+from ramanujan.figures import (
+    NO_NAME,
+    WITHOUT_HOVER,
+    EncodedFigure,
+    build_figure,
+    legend,
+    line,
+    note,
+    spread,
+    without_tags,
+)
 from ramanujan.text.numerals import fixed, number
 from ramanujan.text.translation import _
 
@@ -337,7 +347,7 @@ def _shade(limit: TimeCurve, unit: str, end: float) -> list[dict[str, Any]]:
     """Return the traces of the area between −limit and limit, in a light tint of its colour."""
     red, green, blue = hex_to_rgb(limit.color)
     upper = _trace(limit, unit, end)
-    lower = upper | {"y": -upper["y"], "hoverinfo": "skip", "hovertemplate": None}
+    lower = upper | {"y": -upper["y"], **WITHOUT_HOVER}
     return [lower, upper | {"fill": "tonexty", "fillcolor": f"rgba({red},{green},{blue},0.15)"}]
 
 

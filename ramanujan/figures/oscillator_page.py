@@ -6,7 +6,17 @@ from typing import Any
 
 import numpy as np
 
-from ramanujan.figures import MASS_RATIO, NO_NAME, NORMALIZED, EncodedFigure, build_figure, line, marks, note
+from ramanujan.figures import (
+    MASS_RATIO,
+    NO_NAME,
+    NORMALIZED,
+    WITHOUT_HOVER,
+    EncodedFigure,
+    build_figure,
+    line,
+    marks,
+    note,
+)
 from ramanujan.text.translation import _
 
 
@@ -91,12 +101,11 @@ def _curves(curve: FrequencyCurve, ratio_range: list[float], colors: Mapping[str
     for mark in (curve.equal, curve.unit):
         is_in_inset &= ~np.isclose(ratios, mark.ratio, rtol=NEAR_MARK, atol=0)
     limit = {"color": colors["ink"], "width": 1.5, "dash": "dot"}
-    no_hover = {"name": _("limit"), "hoverinfo": "skip"}
     look = {"color": colors["primary"], "width": 3, "shape": "spline"}
     named = {"name": _("machine with this mass ratio")}
     return [
-        line(ratio_range, [curve.light_limit] * 2, **limit) | no_hover,
-        line(ratios[is_near_curve], heavy_limit[is_near_curve], **limit) | no_hover,
+        line(ratio_range, [curve.light_limit] * 2, **limit) | WITHOUT_HOVER,
+        line(ratios[is_near_curve], heavy_limit[is_near_curve], **limit) | WITHOUT_HOVER,
         line(ratios, values, **look) | named,
         line(ratios[is_in_inset], values[is_in_inset], **look) | named | _IN_INSET,
     ]
@@ -130,7 +139,7 @@ def _curve_labels(curve: FrequencyCurve, ratio_range: list[float], colors: Mappi
         note(light, None, np.log10(ratio_range[0]), curve.light_limit) | beside,
         note(heavy, None, np.log10(ratios[free_index]), heavy_limit[free_index]) | beside,
         note(_("in step"), colors["primary"], most, curve.unit.value) | in_inset | at_end,
-        note(curve.equal.label, None, curve.equal.ratio, curve.equal.value) | in_inset | {"xshift": 8, "yshift": 3},
+        note(curve.equal.label, None, curve.equal.ratio, curve.equal.value) | in_inset | {"xshift": 8, "yshift": 6},
         note(curve.unit.label, colors["top"], least, low) | in_inset | {"yshift": 4},
     ]
 

@@ -6,7 +6,7 @@ from typing import Any
 
 import numpy as np
 
-from ramanujan.figures import EncodedFigure, build_figure, line, logarithmic, marks, note, spread
+from ramanujan.figures import WITHOUT_HOVER, EncodedFigure, build_figure, line, logarithmic, marks, note, spread
 from ramanujan.figures.logarithmic import Colors, axis, level_line, log_axis, select_drawable
 from ramanujan.text.numerals import number
 from ramanujan.text.translation import _, ngettext
@@ -192,7 +192,7 @@ def draw_work_precision(
         traces.append(mark | properties | {"customdata": _points([run.cost], [run.error])})
         if run.cost_text:
             foot = line([run.cost] * 2, [height, limits[0]], color=colors[run.color], width=2)
-            traces.append(foot | {"hoverinfo": "skip"})
+            traces.append(foot | WITHOUT_HOVER)
             text = note(f"<b>{run.cost_text}</b>", colors[run.color], np.log10(run.cost), np.log10(limits[0]))
             notes.append(text | {"xanchor": "right", "yanchor": "bottom", "xshift": -4, "yshift": 4})
         if run.is_named:
@@ -273,7 +273,7 @@ def _name_lines(
         look = {"opacity": 1, "color": color, "line": {"width": 0}}
         marker = {"symbol": symbols.get(name, "circle"), "size": [0, _SYMBOL * (name in symbols)], **look}
         properties = {"mode": "lines+markers", "marker": marker, "cliponaxis": False}
-        leaders.append(joint | properties | {"hoverinfo": "skip", "yaxis": "y2"})
+        leaders.append(joint | properties | WITHOUT_HOVER | {"yaxis": "y2"})
     texts = []
     for name, label in zip(names, labels, strict=True):
         texts.append(f'<b style="color:{colors["primary"]}">{label}</b>' if name == chosen else label)

@@ -4,7 +4,7 @@ from collections.abc import Mapping, Sequence
 
 import numpy as np
 
-from ramanujan.figures import NO_NAME, NORMALIZED, EncodedFigure, build_figure, line, marks, note
+from ramanujan.figures import NO_NAME, NORMALIZED, WITHOUT_HOVER, EncodedFigure, build_figure, line, marks, note
 from ramanujan.figures.oscillator_page import Mark, arrow_label, draw_over_ratios
 from ramanujan.text.translation import _
 
@@ -80,7 +80,7 @@ def draw_machine_grid(
         "type": "heatmap",
         "z": np.reshape(ways, (len(rows), len(columns))).tolist(),
         "colorscale": color_scale,
-        **{"zmin": 0, "zmax": 2, "xgap": 3, "ygap": 3, "showscale": False, "hoverinfo": "skip"},
+        **{"zmin": 0, "zmax": 2, "xgap": 3, "ygap": 3, "showscale": False, **WITHOUT_HOVER},
     }
     # The numbers belong to marks, because a heatmap does not report clicks.
     # TRANSLATORS: {lower} is a pair such as hoop + cylinder, {top} is a body such as cylinder.
