@@ -231,7 +231,7 @@ export function scenery({ floor: [from, to], slab, travel, shelf, riser }) {
       d: `M${left} 0V${-shelf}H${riser}V${-shelf - high - 3}h${post}V${post - shelf}` +
         `H${left + post + brace}l${-brace} ${brace}V0z`,
     },
-    ".plain .rest": { d: `M${end} ${-shelf}v${-high - 2}` },
+    ".plain .rest": { d: `M${end} ${-shelf}v${-high - 0.5}` },
     ".plain .form": { x: end - wide, y: -shelf - high, width: wide, height: high },
     ".plain .body text": { x: end - wide / 2, y: -shelf - high / 2 },
     ".plain .caption": { x: riser - 1, y: -shelf - high - 2 },

@@ -12,11 +12,13 @@ import { readNumber } from "../../numbers.js";
 import { sliders } from "../../sliders.js";
 
 const DIGITS = 5; // the most significant digits without the focus
+const firstDigits = new Intl.NumberFormat("en", {
+  maximumSignificantDigits: DIGITS, roundingMode: "trunc", useGrouping: false,
+});
 
-const shorten = (text) => {
-  const rounded = String(Number(Number(text).toPrecision(DIGITS)));
-  return Number(rounded) === Number(text) ? text : rounded;
-};
+/** Return a number with at most five digits, and dots for the others, because the rounded number is not in step. */
+const shorten = (text) => (Number(Number(text).toPrecision(DIGITS)) === Number(text) ? text
+  : `${firstDigits.format(text)}…`);
 
 export default function (component, signal) {
   const { data: { key }, parentElement: root } = component, box = root.querySelector("input");
