@@ -104,9 +104,7 @@ def draw_composition() -> None:
     with st.container(key="composition"):
         draw_opening()
         stages.mount(None, name="oscillator", layers=())
-        if not (
-            first_run.draws_only_machine() or display_mode.is_projector() or display_mode.hides("clocks", "numbers")
-        ):
+        if not (first_run.draws_only_machine() or display_mode.hides("clocks", "numbers")):
             draw_reason()
 
 
@@ -114,8 +112,9 @@ def draw_reason() -> None:
     """Draw why the ratio in step is remarkable. The style sheet shows it while the hands are locked."""
     with st.container(key="why"):
         st.markdown(shared_with_file.reason())
-        page = menu.PAGES["taxicab"]
-        st.page_link(page.file, label=_("Why it appears in a machine → 1729"), width="content")
+        if not display_mode.is_projector():
+            page = menu.PAGES["taxicab"]
+            st.page_link(page.file, label=_("Why it appears in a machine → 1729"), width="content")
         cubes.draw_stacks(with_values=False)
 
 

@@ -75,6 +75,10 @@ def test_the_page_states_whether_the_machine_is_in_step(app):
     assert "slower than the plain mass" in sentence
     app.pills(key="preset").set_value("unit").run()
     assert "in step with the plain mass" in app.get_by_key("your_machine").markdown[0].value
+    # The style sheets show the reason while the hands are locked, also on a slide.
+    for view in ("", "projector"):
+        app.query_params["view"] = view
+        assert "1729 = 1³" in app.run().get_by_key("why").markdown[0].value
 
 
 def test_every_slider_at_its_ends_and_between_its_steps(app):
