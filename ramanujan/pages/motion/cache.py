@@ -217,7 +217,8 @@ def _with_limit(panel: Panel, motion: Record, contact: str, friction_coefficient
     # A limit far above all forces does not flatten their curves.
     greatest = max(float(abs(curve.values).max()) for curve in curves)
     highest = round_up(max(1.3 * greatest, min(float(values.max()), 2 * greatest)))
-    label = _("shaded: no slip")
+    # TRANSLATORS: in the shaded area, where this contact does not slip: hoop–slab: no slip.
+    label = _("{contact}: no slip").format(contact=curve.label)
     return replace(panel, curves=curves, range=(-highest, highest), limit=limit, limit_label=label)
 
 

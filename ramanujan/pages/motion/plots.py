@@ -210,8 +210,9 @@ def explain_friction() -> None:
 
 
 def draw_required_friction(motion: Record, friction: Friction) -> None:
-    """Draw the required friction of each contact as bars, with the current μ and the largest compression."""
-    needed = required_friction(motion.oscillator, motion.compression, spacing=motion.spacing)
+    """Draw the required friction of each contact as bars, the largest on top, and the current μ."""
+    coefficients = required_friction(motion.oscillator, motion.compression, spacing=motion.spacing)
+    needed = dict(sorted(coefficients.items(), key=lambda item: item[1], reverse=True))
     mu, colors = friction.coefficient, theme.colors()
     bars = draw_friction_bars(
         {cache.CONTACTS[name]: value for name, value in needed.items()},

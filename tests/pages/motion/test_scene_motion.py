@@ -97,9 +97,12 @@ def test_the_bars_show_the_required_friction(app):
     (bars,) = (figure for alt, figure in charts(app).items() if "that each contact needs" in alt)
     machine = Oscillator(1.0, 3.0, 10.0, 0.1)
     needed = required_friction(machine, 0.08, spacing=cache.drawn_spacing(0.1))
-    assert array(bars["data"][0]["x"]) == pytest.approx(list(needed.values()), rel=1e-12)
+    values = sorted(needed.values(), reverse=True)
+    assert array(bars["data"][0]["x"]) == pytest.approx(values, rel=1e-12)
+    names = [contact.partition("<br>")[0] for contact in bars["data"][0]["y"]]
+    assert names == [cache.CONTACTS[name] for name in sorted(needed, key=needed.__getitem__, reverse=True)]
     slipping = ["slips" in text for text in bars["data"][0]["text"]]
-    assert slipping == [value > 0.05 for value in needed.values()]
+    assert slipping == [value > 0.05 for value in values]
 
 
 CORNERS = [
