@@ -97,7 +97,7 @@ def floated(name: str) -> Sequence[AbstractContextManager[Any]]:
     return both.container(), both.container()
 
 
-def picture_and_words(picture_width: int = 3) -> Sequence[AbstractContextManager[Any]]:
+def picture_and_words(picture_width: float = 3) -> Sequence[AbstractContextManager[Any]]:
     """Return columns for picture and text of a slide; no columns in the normal view.
 
     Parameters

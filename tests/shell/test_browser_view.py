@@ -79,18 +79,20 @@ SEEN = script("visible_slides")
 DRAWN = """!document.querySelector("[data-testid=stSkeleton]")
     && [...document.querySelectorAll(".stPlotlyChart")].every((chart) => chart.querySelector(".main-svg"))"""
 FIRST, MOTION = "?m=3.7&m_prime=0.41&k=33.3&radius=20&slide=step_1", "motion?spin=3&mu=0.01"
+CLOCKS, MODES = "lesson?chosen=two-clocks.far_behind", "lesson?stop=zero-modes&chosen=zero-modes.one"
 SLIDES = {
     FIRST: 15,
     "derivation?route=newton&step=4": 4,
     MOTION: 8,
     "1729?left=sphere&top=shell": 5,
     "speed?slide=costs": 8,
-    "lesson?stop=zero-modes&chosen=zero-modes.one": 2,
     "lesson?stop=end": 3,
+    MODES: 1,
     "worksheet": 1,
+    CLOCKS: 1,
 }
 """Page → number of its slides."""
-FULL = {FIRST: 1, "lesson?stop=zero-modes&chosen=zero-modes.one": 0.75, "1729?left=sphere&top=shell": 1}
+FULL = {FIRST: 1, CLOCKS: 0.75, MODES: 0.75, "1729?left=sphere&top=shell": 1}
 """Page → used share of a slide's height from which its sentences may be small."""
 
 
@@ -269,27 +271,33 @@ def check_leaving(page, network: Network) -> None:
 
 
 def check_clicker(page) -> None:
-    """Check that a clicker turns the slides of a stop, and then the stop."""
+    """Check that a clicker turns the stops of the lesson, and at its end the slides."""
     stop = page.locator(".st-key-turn [data-testid=stBidiComponentIsolated] output")
 
-    def at(place: str, now: int) -> None:
-        expect(stop).to_have_text(re.compile(f"^{now}/"))
+    def at(slide: str, place: str) -> None:
+        expect(stop).to_have_text(re.compile(f"^{place}"))
         settle(page)
-        expect(page.locator(PLACE)).to_have_text(re.compile(f"^{place}"))
+        expect(page.locator(PLACE)).to_have_text(re.compile(f"^{slide}"))
 
-    at("1 / 2", 1)
+    at("1 / 1", "1/")
     page.keyboard.press("PageDown")
-    at("2 / 2", 1)
-    page.keyboard.press("PageDown")
-    at("1 / ", 2)
+    at("1 / 1", "2/")
     # The machine is to the left of the question.
     assert page.locator("[data-away]").count() == 0
-    words, machine = (page.locator(place).first.bounding_box() for place in (".st-key-options button", "svg.machine"))
+    words, machine = (page.locator(place).first.bounding_box() for place in (".st-key-lead-question", "svg.machine"))
     assert machine["x"] + machine["width"] <= words["x"]
     assert abs(words["y"] - machine["y"]) < machine["height"]
     check_zoomed(page, 1, "svg.machine", "svg.dial", ".st-key-options button")
     page.keyboard.press("PageUp")
-    at("1 / 2", 1)
+    at("1 / 1", "1/")
+    page.evaluate(GO, "lesson?stop=huge-ratio&view=projector")
+    wait_for_page(page)
+    for slide in (1, 2):
+        page.keyboard.press("PageDown")
+        at(f"{slide} / 3", "✓")
+    for slide, place in (("1 / 3", "✓"), ("1 / 1", "17/")):
+        page.keyboard.press("PageUp")
+        at(slide, place)
 
 
 def check_switched_on(page) -> None:

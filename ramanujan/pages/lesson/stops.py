@@ -87,29 +87,29 @@ def draw(
     draw_desk : function that draws the lecturer's desk of a class, instead of options and verdict
     """
     running = is_running(phase)
-    # In the projector view the running machine and the reason have their own slide.
-    has_own_slide = display_mode.is_projector() and (running or (draw_desk is not None and not stop.exhibit))
+    is_brief = running and (draw_desk is not None or display_mode.is_projector())
+    # At the desk in the projector view, machine and reason have their own slide, because the votes need much room.
+    has_own_slide = display_mode.is_projector() and draw_desk is not None and (running or not stop.exhibit)
     with slide("question", stop.heading):
-        # In the projector view the question needs the full width, but an exhibit needs the full height.
-        above = st.container() if display_mode.is_projector() and not stop.exhibit else None
         if not has_own_slide:
-            words, picture, reason = draw_containers(stop, running)
+            words, verdict, picture, reason = draw_containers(stop, running)
         else:
-            words = picture = reason = st.container()
-        with above or words, container("lead", "question"):
+            words = verdict = st.container()
+        with words, container("lead", "question"):
             st.title(f"{number}. {stop.heading}", anchor=False)
-            # The desk needs the room for votes and reason; the style sheet also hides the first sentences on a phone.
+            # Votes and reason need the room on a desk and a slide; the style sheet also hides the first sentences on a
+            # phone.
             question = last_sentence(stop.question)
             setting = stop.question.removesuffix(question)
-            st.markdown(question if draw_desk and running else f"{setting}\n\n{question}" if running else stop.question)
+            st.markdown(question if is_brief else f"{setting}\n\n{question}" if running else stop.question)
         with words:
             if draw_desk:
                 draw_desk()
             else:
-                _draw_answers(stop, chosen, phase)
+                _draw_answers(stop, chosen, phase, verdict)
     if has_own_slide:
         with slide("machine", _("The machine")):
-            _words, picture, reason = draw_containers(stop, running)
+            _words, _verdict, picture, reason = draw_containers(stop, running)
     with reason:
         if phase == progress.ANSWERED:
             with st.container(key=_result_key(stop, "explanation")):
@@ -124,12 +124,12 @@ def draw(
         st.fragment(draw_observation)(stop, running)
 
 
-def _draw_answers(stop: Stop, chosen: str | None, phase: str) -> None:
-    """Draw the options as buttons, or after a choice as a list with the verdict."""
+def _draw_answers(stop: Stop, chosen: str | None, phase: str, verdict: AbstractContextManager[Any]) -> None:
+    """Draw the options as buttons, or after a choice as a list with the verdict in its container."""
     if chosen is None:
         draw_options(stop)
     else:
-        draw_verdict(stop, chosen, phase)
+        draw_verdict(stop, chosen, phase, verdict)
 
 
 def draw_observation(stop: Stop, running: bool, fixed: bool = False) -> None:
@@ -147,17 +147,20 @@ def draw_observation(stop: Stop, running: bool, fixed: bool = False) -> None:
         draw_machines(stop, running, fixed)
 
 
-def draw_containers(
-    stop: Stop, running: bool
-) -> tuple[AbstractContextManager[Any], AbstractContextManager[Any], AbstractContextManager[Any]]:
-    """Return the containers for words, picture and reason. Machines in a row need the full width."""
+def draw_containers(stop: Stop, running: bool) -> tuple[AbstractContextManager[Any], ...]:
+    """Return the containers for words, verdict, picture and reason.
+
+    Machines in a row need the full width. On a wide screen, verdict and reason are then beside the question.
+    """
     if _arrangement(stop, running) in _SEVERAL.values():
-        return st.container(), st.container(), st.container(key="reason")
+        several = st.container(key="several")
+        return tuple(several.container(key=f"several_{part}") for part in ("words", "verdict", "picture", "reason"))
     if display_mode.is_projector():
-        picture, words = display_mode.picture_and_words(3 if running else 2)
+        # A clock below the machine needs much height, so words are beside it in longer lines.
+        picture, words = display_mode.picture_and_words(2.3 if stop.shows_dials or stop.exhibit else 2.7)
     else:
         words, picture = st.container(key=None if stop.exhibit else "beside").columns([5, 6], gap="medium")
-    return words, picture, words
+    return words, words, picture, words
 
 
 def _arrangement(stop: Stop, running: bool) -> str:
@@ -185,14 +188,17 @@ def draw_options(stop: Stop) -> None:
     widgets.draw_hints(stop.id, [widgets.escape(hint) for hint in stop.hints])
 
 
-def draw_verdict(stop: Stop, chosen: str, phase: str) -> None:
-    """Draw all options with the prediction marked, after the run a verdict on it, and on request the right answer."""
+def draw_verdict(stop: Stop, chosen: str, phase: str, place: AbstractContextManager[Any]) -> None:
+    """Draw all options with the prediction marked, after the run a verdict on it, and on request the right answer.
+
+    The verdict is in the container `place`.
+    """
     is_right = chosen == stop.right
     is_answered = phase == progress.ANSWERED
-    # On a phone this part is above the machine.
-    with container("lead", "verdict"):
-        with st.container(key=_result_key(stop, "marked")):
-            shared_elements.draw_options(_mark_options(stop, chosen, is_answered))
+    # On a phone both parts are above the machine.
+    with container("lead", "marked"), st.container(key=_result_key(stop, "marked")):
+        shared_elements.draw_options(_mark_options(stop, chosen, is_answered))
+    with place, container("lead", "verdict"):
         if phase == progress.PREDICTED:
             _draw_moves(stop, chosen, stop.observation, progress.ANSWERED if is_right else progress.MISSED)
             return
@@ -218,7 +224,8 @@ def _draw_result(stop: Stop, chosen: str, is_answered: bool) -> str:
     # A sentence follows each option, and some have no full stop.
     option = stop.options[chosen].removesuffix(".") + "."
     sentence = template.format(option=option, reply=stop.reply(chosen))
-    st.markdown(sentence)
+    # A slide has shown the reply, and its room is for the explanation.
+    st.markdown(_("**Not right.**") if is_answered and display_mode.is_projector() else sentence)
     if is_answered:
         return _("Right answer: {label}").format(label=add_letters(stop)[stop.right])
     _draw_moves(stop, chosen, _("Show the answer"), progress.ANSWERED)
@@ -258,7 +265,7 @@ def _draw_moves(stop: Stop, chosen: str, label: str, phase: str) -> None:
 
 def draw_explanation(stop: Stop) -> None:
     """Explain the right option, and link to the page with the details."""
-    if stop.periods:
+    if stop.periods and not display_mode.is_projector():
         _draw_hands_button(stop)
     st.markdown(stop.explanation())
     label, page, query = stop.onward

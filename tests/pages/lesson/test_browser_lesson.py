@@ -15,7 +15,7 @@ MACHINE = lesson.find_stop("two-clocks").machine
 BY_HAND = lesson.find_stop("by-hand")
 CHOSEN = "two-clocks.behind~by-hand.quarter"
 STAGE = "[class*='st-key-stage_'] [data-testid=stBidiComponentIsolated]"
-TEXTS = script("texts")
+TEXTS, SLIDE = script("texts"), script("slide_size")
 PLACE = f"document.querySelector(\"{STAGE}\").shadowRoot.querySelector('.body.slab').getAttribute('transform')"
 WIDTH = "document.querySelector('[data-testid=stMain]').scrollWidth"
 BUS = "JSON.stringify(ramanujan.last('drawn/stage_two-clocks_0'))"
@@ -160,6 +160,29 @@ def check_stopwatch(page) -> None:
     shown = float(re.match(r"[\d.]+", watch.locator("output").inner_text())[0])
     judged = re.search(r"You measured ([\d.]+)", page.locator(".st-key-task_verdict").inner_text())
     assert float(judged[1]) == pytest.approx(shown / 10, abs=1e-3)
+
+
+@pytest.mark.xdist_group("german")
+def test_a_slide_shows_machine_clock_verdict_and_reason_together(visit, german):
+    """The longest stop in German: before and after the run all is on one slide, and nothing scrolls."""
+    page = None
+    drawn = ".st-key-stage_two-clocks_0 svg.machine", ".st-key-stage_two-clocks_0 .dial"
+    for chosen in ("", "behind.predicted", "behind.missed", "behind", "ahead"):
+        address = f"lesson?view=projector&chosen=two-clocks.{chosen}" if chosen else "lesson?view=projector"
+        page = visit(address, within=page, network=german)
+        for width, height in ((1280, 720), (1024, 768)):
+            page.set_viewport_size({"width": width, "height": height})
+            next_frame(page)
+            assert page.evaluate(SLIDE)["over"] <= 2, (chosen, width)
+            machine, dial = (page.locator(place).bounding_box() for place in drawn)
+            # Both keep their size during the stop.
+            assert machine["height"] >= 0.32 * height
+            assert dial["height"] >= 0.24 * height
+            assert dial["y"] + dial["height"] <= height
+    words = page.locator(".st-key-slide-question").inner_text()
+    assert "richtige Antwort" not in words
+    assert "Ihre Vorhersage war richtig." in words
+    assert "0,952" in words
 
 
 def test_on_a_phone_the_verdict_is_visible_and_hands_are_compared_at_the_moment_of_the_question(visit):
