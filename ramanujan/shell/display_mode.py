@@ -120,12 +120,8 @@ def fold(name: str, title: str, **options: Any) -> Any:
 
 @st.fragment
 def folded(name: str, title: str, *parts: Callable[[], None]) -> None:
-    """Draw an expander, and its parts while it is open. In the projector view, draw each part on its own slide."""
+    """Draw an expander, and its parts while it is open. The projector view leaves it out."""
     if is_projector():
-        for number, draw in enumerate(parts):
-            part_title = _("{heading}, continued").format(heading=title) if number else title
-            with slide(f"{name}_{number}" if number else name, part_title, heading=part_title):
-                draw()
         return
     line = fold(name, title, on_change="rerun")
     if line.open:

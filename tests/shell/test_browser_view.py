@@ -85,7 +85,7 @@ SLIDES = {
     "derivation?route=newton&step=4": 4,
     MOTION: 8,
     "1729?left=sphere&top=shell": 5,
-    "speed?slide=costs": 8,
+    "speed?slide=costs": 5,
     "lesson?stop=end": 3,
     MODES: 1,
     "worksheet": 1,

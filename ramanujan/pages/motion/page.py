@@ -205,7 +205,12 @@ def draw_contact_forces(motion: Record, figures: Mapping[str, EncodedFigure], fr
     with slide("friction", _("Friction needed"), heading=_("Friction needed")):
         plots.draw_required_friction(motion, friction)
     title = _("Normal forces: the weight of the slab shifts between its rollers")
-    folded("normal_forces", title, partial(plots.draw_normal_forces, motion, figures[cache.NORMAL_FORCE]))
+    draw_normal_forces = partial(plots.draw_normal_forces, motion, figures[cache.NORMAL_FORCE])
+    if display_mode.is_projector():
+        with slide("normal_forces", title, heading=title):
+            draw_normal_forces()
+    else:
+        folded("normal_forces", title, draw_normal_forces)
 
 
 def choose_frame() -> str:

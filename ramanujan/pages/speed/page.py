@@ -128,8 +128,7 @@ def draw_limits() -> None:
     """Draw what becomes of Ω² for very large and small masses, and of the phase after very many periods."""
     with slide("digits", limits.TITLE):
         limits.draw_digits()
-    if not display_mode.is_projector():
-        folded("forms", _("Where each of {count} forms of Ω² fails").format(count=len(FORMS)), limits.list_failures)
+    folded("forms", _("Where each of {count} forms of Ω² fails").format(count=len(FORMS)), limits.list_failures)
     with slide("periods", _("Very many periods")):
         limits.draw_phase_errors(sidebar.oscillator())
     solver = _("A general eigen-solver, which does not know this machine")
