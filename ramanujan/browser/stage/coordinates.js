@@ -61,7 +61,7 @@ function angleMarks(name, angle, displacement, place) {
 
 /**
  * Lengths from the slab's end at the spring's natural length: x₀ to the point of release, 2Rφ to the present position.
- * The arrow of 2Rφ reaches as far as x₀ to both sides, and its label is beyond.
+ * The label of 2Rφ is at the right end of its arrow, whatever its direction.
  */
 function slabMarks(block, slab, compression, place) {
   const [right, left, end] = [place.slab.right + block, place.slab.left + block, place.slab.left + slab];
@@ -73,7 +73,7 @@ function slabMarks(block, slab, compression, place) {
     x0_label: { x: right - 1, y: -y0 - 0.7 },
     slab_guide: guide(left, end, y),
     slab_value: { d: velocityArrow(left, y, end - left, headOf(place.R)) },
-    slab_label: { x: left + compression + 1, y: -y },
+    slab_label: { x: Math.max(left, end) + 1, y: -y },
   };
 }
 

@@ -87,17 +87,9 @@ def draw_route() -> Setting:
     """Draw the options, the steps and the machine. In the projector view they share one slide."""
     setting = read_setting()
     with slide("lecture", _("The steps")):
-        words, goal = columns("goal")
-        with words:
-            st.title(_("Many ways to one frequency"), anchor=False)
-            if not display_mode.is_projector():
-                st.markdown(
-                    _(
-                        "Released at rest, the machine oscillates with one angular frequency, $\\Omega$. Choose a "
-                        "route from the five bodies to this formula, and follow it step by step."
-                    )
-                )
-        head = st.container(horizontal=True, vertical_alignment="center", key="choices")
+        with st.container(horizontal=True, vertical_alignment="center", key="head"):
+            st.title(_("Many ways to one frequency"), anchor=False, width="content")
+            head = st.container(horizontal=True, vertical_alignment="center", key="choices")
         # Above machine and steps, because a warning between them would push the machine away.
         if address.current(STEP) > len(setting.steps):
             messages.warn(address.Count(STEP.name, len(setting.steps)).message())
@@ -106,12 +98,13 @@ def draw_route() -> Setting:
             picture, steps = st.container(), st.container()
         with picture:
             stages.mount(None, key="beside", clock="beside", layers=("coordinates",), compact=True)
+            goal = st.container(key="goal")
         # The first visitor of a server waits for all routes, because the options contain their names.
         with steps, st.skeleton(height=_STEP_HEIGHT):
             cache.all_routes()
         if not display_mode.is_projector():
             with goal:
-                st.latex(cache.result(None)[0])
+                draw_goal()
         with head:
             draw_options()
             turn_pages(setting)
@@ -121,6 +114,17 @@ def draw_route() -> Setting:
         explain_symbols(setting)
         offer_files(setting)
     return setting
+
+
+def draw_goal() -> None:
+    """Draw the result of all routes. turn.js hides it beside the later steps of a lecture."""
+    st.markdown(
+        _(
+            "Released at rest, the machine oscillates with one angular frequency, $\\Omega$. Choose a route from the "
+            "five bodies to this formula, and follow it step by step."
+        )
+    )
+    st.latex(cache.result(None)[0])
 
 
 def read_setting() -> Setting:

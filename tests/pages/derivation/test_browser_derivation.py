@@ -214,9 +214,9 @@ INKS = """[...new Set([...document.querySelectorAll('.st-key-lecture .katex-html
 
 
 def walk(page, route: str) -> None:
-    """Page through all steps of a route, and check each: the place of its heading, and its first equation in view.
+    """Page through all steps of a route, and check each: the place of its heading, and all of its equations in view.
 
-    The machine is beside the step, and covers no formula.
+    The machine is beside the step, and covers no formula. The result of all routes is shown at the first step.
     """
     places = set()
     for number in range(1, len(ROUTES[route].steps) + 1):
@@ -225,6 +225,8 @@ def walk(page, route: str) -> None:
         first, machine = page.locator(".st-key-lecture .katex-display:visible").first, page.locator(".st-key-beside")
         formula, picture = first.bounding_box(), machine.bounding_box()
         assert bottom(first) <= 722
+        assert bottom(page.locator(".st-key-lecture .katex-display:visible").last) <= 720
+        assert page.locator(".st-key-goal").is_visible() == (number == 1)
         assert picture["width"] >= 400
         assert picture["x"] > page.locator(STEP).bounding_box()["x"] + 400
         is_beside = formula["x"] + formula["width"] <= picture["x"]
@@ -242,6 +244,10 @@ def test_headings_keep_their_place_beside_the_machine_and_every_body_has_its_ink
     assert len(page.evaluate(BEFORE_THE_FIRST_EQUATION)) <= 12
     walk(page, "newton")
     check_symbols_and_forces(page)
+    choose(page, "Matrix")
+    page.wait_for_url("**route=matrix**")
+    settle(page)
+    walk(page, "matrix")
     choose(page, "Euler–Lagrange")
     page.wait_for_function("!location.search.includes('route=')")
     settle(page)

@@ -108,7 +108,9 @@ class Steps extends Turner {
   reveal() {
     // The doubled class takes precedence over the page's sheet, which hides all steps.
     const step = `.st-key-step-${this.now}`;
-    this.sheet.textContent = `#root .st-key-lecture ${step}${step} { display: var(--step, flex); }`;
+    // The result of all routes is shown at the first step, and on paper.
+    const goal = this.now > 1 ? "@media screen { :root { --goal: none; } }" : "";
+    this.sheet.textContent = `#root .st-key-lecture ${step}${step} { display: var(--step, flex); }${goal}`;
     bus.publish("step", this.now);
   }
 
