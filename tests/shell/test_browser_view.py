@@ -263,10 +263,10 @@ def check_leaving(page, network: Network) -> None:
     """Check that another page begins with its own first slide, even while a turned slide is still to be sent."""
     turn_on_a_slow_network(page, network)
     page.get_by_role("link", name="Motion").first.click()
-    expect(page.locator(PLACE)).to_have_text(re.compile("^1 / 8"))
+    expect(page.locator(PLACE)).to_have_text(re.compile("^Slide 1/8"))
     page.wait_for_url(lambda url: "slide=" not in url)
     settle(page)
-    expect(page.locator(PLACE)).to_have_text(re.compile("^1 / 8"))
+    expect(page.locator(PLACE)).to_have_text(re.compile("^Slide 1/8"))
     network.seconds = traffic(page).late = 0
 
 
@@ -277,11 +277,11 @@ def check_clicker(page) -> None:
     def at(slide: str, place: str) -> None:
         expect(stop).to_have_text(re.compile(f"^{place}"))
         settle(page)
-        expect(page.locator(PLACE)).to_have_text(re.compile(f"^{slide}"))
+        expect(page.locator(PLACE)).to_have_text(re.compile(f"^Slide {slide}"))
 
-    at("1 / 1", "1/")
+    at("1/1", "1/")
     page.keyboard.press("PageDown")
-    at("1 / 1", "2/")
+    at("1/1", "2/")
     # The machine is to the left of the question.
     assert page.locator("[data-away]").count() == 0
     words, machine = (page.locator(place).first.bounding_box() for place in (".st-key-lead-question", "svg.machine"))
@@ -289,13 +289,13 @@ def check_clicker(page) -> None:
     assert abs(words["y"] - machine["y"]) < machine["height"]
     check_zoomed(page, 1, "svg.machine", "svg.dial", ".st-key-options button")
     page.keyboard.press("PageUp")
-    at("1 / 1", "1/")
+    at("1/1", "1/")
     page.evaluate(GO, "lesson?stop=huge-ratio&view=projector")
     wait_for_page(page)
     for slide in (1, 2):
         page.keyboard.press("PageDown")
-        at(f"{slide} / 3", "✓")
-    for slide, place in (("1 / 3", "✓"), ("1 / 1", "17/")):
+        at(f"{slide}/3", "✓")
+    for slide, place in (("1/3", "✓"), ("1/1", "17/")):
         page.keyboard.press("PageUp")
         at(slide, place)
 
@@ -312,7 +312,7 @@ def check_switched_on(page) -> None:
     settle(page)
     until(page, MOUNTED)
     page.keyboard.press("PageDown")
-    expect(page.locator(PLACE)).to_have_text(re.compile(r"^2 /"))
+    expect(page.locator(PLACE)).to_have_text(re.compile(r"^Slide 2/"))
 
 
 def check_switched_off(page) -> None:

@@ -16,7 +16,7 @@ import { WORDS } from "./texts.js";
 const TRACE_POINTS = 90;
 const PERIOD_POINTS = 24; // states of a period at which the largest speed and force are sampled
 // Length of the longest arrow, in radii of a roller. Friction with letters leaves room for them between two contacts.
-const LONGEST = { speed: 1.5, friction: 1.5, lettered: 1, spring: 3.1 };
+const LONGEST = { speed: 1.5, friction: 1.5, lettered: 0.9, spring: 3.1 };
 const SMALLEST_RADIUS = 8; // cm, the least unit of these lengths, so that the arrows of small rollers are visible
 const LONGEST_FORCE_HEAD = 2.7; // cm
 const SHORTEST_LETTERED = 0.4; // cm, the shortest force with a visible letter

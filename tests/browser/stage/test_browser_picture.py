@@ -425,8 +425,8 @@ def test_no_letter_is_covered_by_an_arrow_or_another_letter(picture, sample):
     check_lettered_forces(picture, boxes)
 
 
-SLIDE = (676, "27.6px")
-"""Width of the window with a picture as wide as on a slide of 1280 × 720 pixels, and the size of its words."""
+SLIDES = ((676, "27.6px"), (578, "27.6px"))
+"""Widths of windows with pictures as wide as on slides of 1280 × 720 pixels, and the size of their words."""
 SMALLEST_LETTER = """Math.min(...[...root.querySelectorAll(".forces text")].map((text) =>
   parseFloat(getComputedStyle(text).fontSize) * text.getScreenCTM().a))"""
 """The smallest size of a force's letters [px]."""
@@ -439,7 +439,7 @@ def check_lettered_forces(picture, boxes: str) -> None:
     """
     picture.layers("coordinates")
     machines = [*product((0.05, 0.1, 1.0, 5.0, 8.0), (0.05, 0.1, 0.2), [(1280, "")])]
-    machines += product((0.1, 1.0, 5.0), [0.1], [(390, ""), (820, ""), SLIDE])
+    machines += product((0.1, 1.0, 5.0), [0.1], [(390, ""), (820, ""), *SLIDES])
     for m_prime, R, (width, text) in machines:
         picture.page.set_viewport_size({"width": width, "height": 720})
         picture.page.evaluate("(text) => document.body.style.setProperty('--stage-text', text)", text)
