@@ -40,6 +40,8 @@ URL_PARAMETERS = (ROUTE, VIEW, VALUES, MASSES, STEP, QUESTION, *MODES)
 # Height of a step in a lecture [px], as in page.css.
 _STEP_HEIGHT = 368
 
+# The keys of the steps about velocities: their arrows would distract at any other step.
+VELOCITIES = {"velocities", "momenta", "inversion", "least", "mode_shape"}
 # The keys of the steps that answer a question of the section “Try it yourself”.
 ASKED = {find_question(name).steps[-1] for name in QUESTIONS}
 # Kind of a file → its label, the end of its name, and its media type.
@@ -201,8 +203,7 @@ def turn_pages(setting: Setting) -> None:
         if current_step.key == "root":
             machine = replace(machine, m_prime=UNIT_MASS_RATIO * machine.m)
     forces = named_forces(equation for step in shown_steps for equation in step.equations)
-    # The arrows belong to the step that finds the velocities; at any other step they would distract.
-    velocities = any(step.key == "velocities" for step in shown_steps) or None
+    velocities = any(step.key in VELOCITIES for step in shown_steps) or None
     # A lecturer draws the forces at one moment. In motion they vanish twice a period.
     held = bool(forces and setting.is_lecture) or None
     payload = stage.payload(machine, sidebar.compression(), forces=forces or None, held=held, velocities=velocities)

@@ -217,11 +217,16 @@ def test_a_typed_formula_is_displayed_as_parsed(page):
     assert typed_answer.typeset_as_parsed("m +") is None
 
 
-def test_the_machine_has_its_velocities_at_the_step_that_finds_them(page, monkeypatch):
+def test_the_machine_has_its_velocities_at_the_steps_about_them(page, monkeypatch):
     sent, true_payload = [], stage.payload
     monkeypatch.setattr(stage, "payload", lambda *a, **more: sent.append(more) or true_payload(*a, **more))
-    for step, is_drawn in ((1, True), (2, False)):
+    # Euler–Lagrange finds velocities and momenta, Hamilton's route uses both, and energy and matrix find their ratios.
+    for route, step, is_drawn in (
+        ("euler_lagrange", 1, True), ("euler_lagrange", 2, False), ("euler_lagrange", 6, True), ("hamilton", 3, True),
+        ("newton", 2, False), ("energy", 2, False), ("energy", 3, True), ("matrix", 8, True),
+    ):  # fmt: skip
         sent.clear()
+        page.session_state["route"] = route
         page.session_state["step"] = step
         page.run()
         assert any(more.get("velocities") for more in sent) == is_drawn
