@@ -26,6 +26,7 @@ Constant data, sent once:
 
     stage           name of the stage; its topics on the bus contain it
     limits          compression: smallest and largest x₀ of a drag [m]; equal limits fix the slab
+                    radius: the largest radius of the machines beside this one, which have one scale [m], or null
     watch           slider key → {parameter, scale, step}; value times scale is the parameter in SI units
     clock           name of the clock; stages with the same clock run and pause together
     layers          the members of `LAYERS` that are shown until a person chooses others
@@ -201,6 +202,7 @@ def settings(
     periods: float | None = None,
     rest_after: float | None = None,
     label: str | None = None,
+    largest_radius: float | None = None,
     address_prefix: str = "",
 ) -> dict[str, Any]:
     """Return the constant data of a stage.
@@ -219,12 +221,13 @@ def settings(
     periods : number of periods of the graphs, after which the motion repeats; default: never
     rest_after : number of periods of the plain mass after which the motion pauses by itself; default: never
     label : a few words under the picture, also its name for screen readers
+    largest_radius : the largest radius of the machines beside this one, which have one scale [m]
     address_prefix : prefix of the stage's names in the address; one for each clock of a page
     """
     name = name or key
     return {
         "stage": name,
-        "limits": {"compression": limits},
+        "limits": {"compression": limits, "radius": largest_radius},
         "watch": watch,
         "clock": clock or name,
         "layers": layers,

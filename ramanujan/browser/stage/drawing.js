@@ -18,9 +18,9 @@ const BEYOND = 3 * STRETCH; // distance by which the floor extends beyond the vi
 
 /**
  * Return the geometry at φ = 0, to scale, with room for the largest travel. The view has the same shape for every
- * radius.
+ * radius. Beside machines with larger rollers, it is as large as theirs, `widest` being the largest radius.
  */
-export function layout({ radius }, [, largest]) {
+export function layout({ radius }, { compression: [, largest], radius: widest }) {
   const R = radius * CM;
   const travel = largest * CM; // of the slab relative to the block, to either side
   const roll = travel / 2;
@@ -34,7 +34,8 @@ export function layout({ radius }, [, largest]) {
   const right = top + R + gap + 2;
   const shelf = upper + R * 0.45; // the top of the bench for the plain mass
   const bottom = -Math.max(8.5, 3.5 + R / 2); // room for the ruler's numbers, which grow with the picture
-  const view = fitView({ left: -9, right: right + travel + 2, bottom, top: Math.max(upper + 2 * R + 3, shelf + 14) });
+  const own = fitView({ left: -9, right: right + travel + 2, bottom, top: Math.max(upper + 2 * R + 3, shelf + 14) });
+  const view = widest > radius ? widen(own, layout({ radius: widest }, { compression: [0, largest] }).view) : own;
   const centre = { hoop: [hoop, deck + R], cylinder: [cylinder, deck + R], top: [top, upper + R] };
   // The block consists of two rectangles. Its centre of mass is the mean of their centres, weighted by their areas.
   const lowArea = riser * deck, highArea = (right - riser) * upper, area = lowArea + highArea;
@@ -50,6 +51,12 @@ function fitView({ left, right, bottom, top }) {
   const width = Math.max(right - left, ASPECT * (top - bottom));
   const margin = (width - (right - left)) / 2;
   return { left: left - margin, right: right + margin, bottom, top: bottom + width / ASPECT };
+}
+
+/** Widen a view to the size of a larger one, with the floor at the same height and the machine in the middle. */
+function widen({ left, right }, larger) {
+  const margin = (larger.right - larger.left - (right - left)) / 2;
+  return { ...larger, left: left - margin, right: right + margin };
 }
 
 /**

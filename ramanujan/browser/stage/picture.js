@@ -62,7 +62,7 @@ export function makePicture(root, { compact, dials, narrow, limits, label, rest_
   }
 
   function geometry(parameters) {
-    place = layout(parameters, limits.compression);
+    place = layout(parameters, limits);
     const { left, right, bottom, top } = place.view;
     set(svg, { viewBox: `${left} ${-top} ${right - left} ${top - bottom}` });
     moving.style.setProperty("--R", place.R);

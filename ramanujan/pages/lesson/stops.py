@@ -159,7 +159,9 @@ def draw_containers(stop: Stop, running: bool) -> tuple[AbstractContextManager[A
         # A clock below the machine needs much height, so words are beside it in longer lines.
         picture, words = display_mode.picture_and_words(2.3 if stop.shows_dials or stop.exhibit else 2.7)
     else:
-        words, picture = st.container(key=None if stop.exhibit else "beside").columns([5, 6], gap="medium")
+        # Without a clock below it, the machine is as wide as the words allow.
+        widths = [5, 6] if stop.shows_dials or stop.exhibit else [2, 3]
+        words, picture = st.container(key=None if stop.exhibit else "beside").columns(widths, gap="medium")
     return words, words, picture, words
 
 
@@ -313,6 +315,7 @@ def draw_machines(stop: Stop, running: bool, fixed: bool) -> None:
             narrow=True,
             rest_after=stop.periods or None,
             label=run.label if running or not has_several else None,
+            largest_radius=max(run.machine.radius for run in stop.runs) if running and has_several else None,
             hide=hidden,
             **options,
         )

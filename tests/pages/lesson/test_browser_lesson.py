@@ -142,10 +142,21 @@ def check_machines(page) -> None:
     assert len({round(box["y"]) for box in boxes}) == 1
     assert all(a["x"] + a["width"] <= b["x"] for a, b in itertools.pairwise(boxes))
     assert boxes[0]["y"] + boxes[0]["height"] < 720
+    # The reason is above them, beside the question.
+    question, reason = (page.locator(f".st-key-several_{part}").bounding_box() for part in ("words", "reason"))
+    assert question["x"] + question["width"] <= reason["x"]
+    assert max(box["y"] + box["height"] for box in (question, reason)) <= boxes[0]["y"]
     page.set_viewport_size({"width": 390, "height": 844})
     next_frame(page)
     assert len({round(machine.bounding_box()["x"]) for machine in machines.all()}) == 1
     assert page.evaluate(WIDTH) <= 390
+    # Machines with different rollers have one scale.
+    page.set_viewport_size({"width": 1280, "height": 720})
+    go(page, "lesson?stop=radius&chosen=radius.same")
+    pictures = page.locator(".st-key-observed-several-2 svg.machine").all()
+    sizes = {(picture.bounding_box()["width"], *picture.get_attribute("viewBox").split()[2:]) for picture in pictures}
+    assert len(pictures) == 2
+    assert len(sizes) == 1
 
 
 def check_stopwatch(page) -> None:
