@@ -64,7 +64,7 @@ def check_back_and_arrows(page) -> None:
     settle(page)
     assert step(page) == 1
     assert press(page, "ArrowRight") == 2
-    assert "step=2" in page.url
+    page.wait_for_url("**step=2**")
     page.locator(MORE).click()
     for view in (1, 0):
         page.locator(".st-key-show button").nth(view).click()
