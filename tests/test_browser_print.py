@@ -6,6 +6,7 @@ from itertools import cycle
 
 import pypdfium2.raw as pdfium
 import pytest
+from PIL import ImageOps
 from pypdfium2 import PdfDocument, PdfPage
 
 from tests.checks.paper import (
@@ -45,6 +46,14 @@ def touching(sheet: PdfPage) -> list[str]:
     return pairs
 
 
+def begins_with_text(sheet: PdfPage) -> bool:
+    """Return whether the first ink of a sheet is a text, and not a line that belongs to the sheet before."""
+    text = sheet.get_textpage()
+    highest = max(text.get_charbox(place)[3] for place in range(text.count_chars()))
+    _left, first_ink, _right, _bottom = ImageOps.invert(sheet.render(grayscale=True).to_pil()).getbbox()
+    return sheet.get_height() - highest - first_ink < 6
+
+
 SHEETS_TRIED = 15 if DEEP else 1
 """Number of tested codes. Each code has three sheets: derivations of the first and the last level, and the key."""
 
@@ -77,3 +86,4 @@ def check_worksheet(pdf: PdfDocument, width: float) -> None:
     assert sum(map(int, points)) == sum(map(int, total or points))
     # A question is never split. Of 120 sheets, one on Letter has two pages filled to 0.782; all others to at least 0.8.
     assert [share for share in map(filled, list(pdf)[:-1]) if share < 0.78] == []
+    assert all(map(begins_with_text, pdf))

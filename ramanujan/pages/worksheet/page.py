@@ -1,5 +1,6 @@
 """A printable worksheet: questions about the current machine with space to write, or the answer key."""
 
+from collections.abc import Sequence
 from itertools import groupby
 
 import streamlit as st
@@ -29,13 +30,13 @@ _LINE = "<span style='flex:1;border-bottom:1px solid'></span>"
 
 
 def show() -> None:
-    """Draw the page. A worksheet is for paper, so a projector shows only the choices."""
+    """Draw the page. A worksheet is for paper, so a projector shows only the choices and the machine."""
     if is_projector():
         with slide("choices", _("Worksheet")):
             st.title(_("Worksheet"), anchor=False)
-            draw_options()
+            _paper, seed, level = draw_options()
             st.markdown(_("A worksheet is for paper. Turn off *Projector* to read and print it."))
-            exercise.draw_composer()
+            draw_model(sidebar.oscillator(), list_calculations(make_questions(sidebar.oscillator(), seed, level)))
         return
     both = st.container(key="worksheet_columns")
     with both.container(key="worksheet_tools"):
@@ -43,13 +44,17 @@ def show() -> None:
         exercise.draw_composer()
     machine = sidebar.oscillator()
     questions = make_questions(machine, seed, level)
-    calculation_numbers = [number for number, question in enumerate(questions, start=1) if question.working]
     with both.container(key="worksheet", border=True):
-        draw_head(machine, paper, seed, calculation_numbers, sum(question.points for question in questions))
+        draw_head(machine, paper, seed, list_calculations(questions), sum(question.points for question in questions))
         for title, numbered in groupby(enumerate(questions, start=1), lambda pair: part_title(pair[1])):
             st.header(title, anchor=False)
             for number, question in numbered:
                 draw_question(number, question, paper == "key")
+
+
+def list_calculations(questions: Sequence[WorksheetQuestion]) -> list[int]:
+    """Return the numbers of the questions that are calculations."""
+    return [number for number, question in enumerate(questions, start=1) if question.working]
 
 
 def part_title(question: WorksheetQuestion) -> str:
@@ -127,7 +132,7 @@ def make_worksheet() -> None:
 
 
 def draw_head(machine: Oscillator, paper: str, seed: str, calculation_numbers: list[int], points: int) -> None:
-    """Draw the title with the name of the worksheet, and the machine of the calculations.
+    """Draw the title, the machine of the calculations, and the name of the worksheet.
 
     Parameters
     ----------
@@ -137,11 +142,18 @@ def draw_head(machine: Oscillator, paper: str, seed: str, calculation_numbers: l
     calculation_numbers : the numbers of the questions that are calculations
     points : sum of the points of all questions
     """
-    title = _("Ramanujan’s oscillator: key {seed}") if paper == "key" else _("Ramanujan’s oscillator: worksheet {seed}")
-    st.title(title.format(seed=format_code(seed)), anchor=False)
+    title = _("Ramanujan’s oscillator: key") if paper == "key" else _("Ramanujan’s oscillator: worksheet")
+    st.title(title, anchor=False)
     if paper == "questions":
         lines = _("Name {line} Date {line} Points {line} of {points}")
         st.html(f"<p class='name' style='display:flex;gap:.4em'>{lines.format(line=_LINE, points=points)}</p>")
+    draw_model(machine, calculation_numbers)
+    name = _("Name of this worksheet: {name}. Type it on the page Worksheet to open it again.")
+    st.caption(name.format(name=format_code(seed)))
+
+
+def draw_model(machine: Oscillator, calculation_numbers: list[int]) -> None:
+    """Draw the machine of the calculations, and what the questions assume."""
     values = ", ".join(parameter.equation(parameter.value) for parameter in PARAMETERS.values())
     head = st.container(key="worksheet_head")
     with head.container(key="worksheet_picture"):
@@ -167,7 +179,7 @@ def draw_head(machine: Oscillator, paper: str, seed: str, calculation_numbers: l
 
 
 def draw_question(number: int, question: WorksheetQuestion, with_key: bool) -> None:
-    """Draw a question with lines to write on, or with its answer. A page break may come only between these lines."""
+    """Draw a question with lines to write on, or with its answer."""
     with container("question", str(number)):
         points = ngettext("({n} point)", "({n} points)", question.points).format(n=question.points)
         parts = "\n\n".join(filter(None, question_parts(question, with_key)))
@@ -175,7 +187,7 @@ def draw_question(number: int, question: WorksheetQuestion, with_key: bool) -> N
         if not with_key:
             # TRANSLATORS: before the lines on which a student says why an option is right.
             texts = [_("Because") if question.options else "", *[""] * (question.space - 1)]
-            style = "border-bottom:1px dotted #888;height:1cm;align-content:end"
+            style = "border-bottom:1px dotted #888;height:9mm;align-content:end"
             lines = "".join(f"<div style='{style}'>{text}</div>" for text in texts)
             st.html(f"<div class='room'>{lines}</div>")
 

@@ -286,8 +286,10 @@ def test_the_author_of_a_worksheet_has_its_key():
     name, key = author.query_params["seed"], author.query_params["key"]
     assert keys.name(key) == name
     spaced_name = f"{name[:5]} {name[5:]}"
-    assert author.title[0].value == f"Ramanujan’s oscillator: worksheet {spaced_name}"
-    assert sheet(seed=name, paper="key", key=key).title[0].value == f"Ramanujan’s oscillator: key {spaced_name}"
+    sheets = {"worksheet": author, "key": sheet(seed=name, paper="key", key=key)}
+    for kind, opened in sheets.items():
+        assert opened.title[0].value == f"Ramanujan’s oscillator: {kind}"
+        assert f"Name of this worksheet: {spaced_name}." in "".join(caption.value for caption in opened.caption)
     assert "key" in address.PRIVATE
 
 
