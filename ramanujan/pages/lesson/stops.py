@@ -157,7 +157,7 @@ def draw_containers(stop: Stop, running: bool) -> tuple[AbstractContextManager[A
         return tuple(several.container(key=f"several_{part}") for part in ("words", "verdict", "picture", "reason"))
     if display_mode.is_projector():
         # A clock below the machine needs much height, so words are beside it in longer lines.
-        picture, words = display_mode.picture_and_words(2.3 if stop.shows_dials or stop.exhibit else 2.7)
+        picture, words = display_mode.picture_and_words(2.3 if stop.shows_dials or stop.exhibit else 2.5)
     else:
         # Without a clock below it, the machine is as wide as the words allow.
         widths = [5, 6] if stop.shows_dials or stop.exhibit else [2, 3]
