@@ -55,6 +55,7 @@ def test_a_student_takes_the_lesson_and_a_link_preserves_the_place(visit):
     # The address preserves all settings and choices.
     address = page.url.rpartition("/")[2]
     assert {"stop=by-hand", f"chosen={CHOSEN}", "m_prime=1.01"} <= set(re.split("[?&]", unquote(address)))
+    check_waiting_mark(visit("lesson", motion="no-preference"))
     other = visit(address)
     number = 1 + lesson.STOPS.index(BY_HAND)
     assert heading(other) == f"{number}. {BY_HAND.heading}"
@@ -97,6 +98,18 @@ def check_prediction(page) -> None:
     assert dial["width"] >= 180
     assert dial["bottom"] < 720
     expect(page.locator(".st-key-unseen-services [role=status]")).to_contain_text("You predicted: Behind by less")
+
+
+def check_waiting_mark(page) -> None:
+    """Check that a right prediction is marked only after its observation."""
+    predict(page, "D. Ahead by less than one full turn.")
+    predict(page, "Run the machine")
+    expect(page.locator(".st-key-watch")).to_be_visible()
+    mark = page.locator(".st-key-marked_waits [role=img]")
+    expect(mark).to_be_attached()
+    expect(mark).to_be_hidden()
+    page.get_by_role("button", name="Pause", exact=True).click()
+    expect(mark).to_be_visible()
 
 
 def check_turning(page) -> None:
