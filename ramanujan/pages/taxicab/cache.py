@@ -97,11 +97,19 @@ def results(left: str, right: str, top: str, p: int = 1, q: int = 1) -> Results:
     """Return the results for these bodies and the target Ω²m/k = p/q. Raise `ValueError` as `BodyChoice` does."""
     machine = BodyChoice(left, right, top, Fraction(p, q))
     a, b, c = machine.quadratic
-    root = (sp.sqrt(machine.discriminant) - b) / (2 * a)
+    square_root = sp.sqrt(machine.discriminant)
+    root = (square_root - b) / (2 * a)
+    root_text = format_with_decimal(root, 7)
+    if not square_root.is_Pow:
+        # A square factor has left the root. It goes back, so that the discriminant is seen.
+        reduced, approximately, decimal = root_text.partition(r" \approx ")
+        unreduced = sp.Symbol(rf"\sqrt{{{machine.discriminant}}}")
+        value = approximately + decimal if decimal else f" = {reduced}"
+        root_text = rf"\frac{{{latex(unreduced - b)}}}{{{2 * a}}}{value}"
     return Results(
         machine=machine,
         quadratic=latex(equation(a * epsilon**2 + b * epsilon + c, sp.S.Zero)),
-        root=format_with_decimal(root, 7),
+        root=root_text,
         ratio=float(root.evalf(40)),
         factors=product_of_primes(machine.factorization),
         cubes=sums_of_cubes(machine.cubes),

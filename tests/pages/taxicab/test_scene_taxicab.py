@@ -80,17 +80,18 @@ def test_other_bodies_reach_numbers_and_stage(
     assert r"it has $\Omega^2m/k=1$" in words(page)
 
 
-@pytest.mark.parametrize(("p", "q"), [(1, 1000), (1000, 999), (104, 99)])
+@pytest.mark.parametrize(("p", "q"), [(1, 1000), (1000, 999), (104, 99), (3, 2)])
 def test_a_target_has_its_quadratic_and_its_ratio(page: AppTest, p: int, q: int) -> None:
     of_paper = {formula.value for formula in page.latex}
     page.number_input(key="p").set_value(p)
     page.number_input(key="q").set_value(q)
     page.run()
     assert not page.exception
-    quadratic, *_root = [formula.value.strip("$\n ") for formula in page.latex if formula.value not in of_paper]
+    quadratic, solution = [formula.value.strip("$\n ") for formula in page.latex if formula.value not in of_paper]
     text = quadratic.removesuffix("= 0").replace(r"\,", "*").replace(r"\varepsilon", "epsilon")
     polynomial = sp.Poly(sp.sympify(text.replace("^{2}", "**2"), {"epsilon": epsilon}), epsilon)
     assert f"The discriminant **{polynomial.discriminant()}**" in words(page)
+    assert rf"\sqrt{{{polynomial.discriminant()}}}" in solution
     root = max(polynomial.nroots(30))
     assert float(normalized_frequency_squared(float(root))) == pytest.approx(p / q, rel=1e-12)
 
