@@ -12,7 +12,6 @@ ROLES = {
     "click": "a hint about clicks, which is not printed",
     "columns": "a text and its figure: side by side, or one below the other on a narrow screen",
     "equations": "equations for a wide screen, hidden on a phone",
-    "floated": "on a slide, a picture at the right, with text around it",
     "lead": "a question, its options and the verdict, above the machine on a phone",
     "list": "a long list, in several columns if they fit",
     "narrow": "equations for a phone, hidden on a wide screen",

@@ -82,21 +82,6 @@ def columns(name: str, *, has_slides: bool = False) -> Sequence[AbstractContextM
     return row.container(), row.container()
 
 
-def floated(name: str) -> Sequence[AbstractContextManager[Any]]:
-    """Return containers for a picture at the right and for the text that flows around it; none in the normal view.
-
-    An equation that is too wide for the place beside the picture is below it.
-
-    Parameters
-    ----------
-    name : name of the containers, unique on the page
-    """
-    if not is_projector():
-        return nullcontext(), nullcontext()
-    both = container("floated", name)
-    return both.container(), both.container()
-
-
 def picture_and_words(picture_width: float = 3) -> Sequence[AbstractContextManager[Any]]:
     """Return columns for picture and text of a slide; no columns in the normal view.
 

@@ -20,7 +20,7 @@ from ramanujan.derivation import ROUTES
 from ramanujan.derivation.model import k, m, m_prime
 from ramanujan.derivation.nomenclature import nomenclature
 from ramanujan.derivation.numbers import Numbers, is_unit_ratio
-from ramanujan.derivation.rows import make_rows
+from ramanujan.derivation.rows import align, make_rows
 from ramanujan.pages.derivation import cache as page
 from ramanujan.pages.oscillator import cache as first_page
 from ramanujan.text.names import PARTS
@@ -300,9 +300,8 @@ def displayed(given: Masses | None) -> Iterator[tuple[str, str, bool, str]]:
     yield from (("matrix", "", False, line) for line in (shape, *equations(momenta)))
     for (*_, key), step in zip(first_page.SUMMARY, first_page.summary.__wrapped__(numbers), strict=True):
         blocks = [
-            *(first_page.align(detail.details, first_page.LINE_WIDTH) for detail in step.steps),
-            *(detail.equations for detail in step.steps),
-            first_page.align(step.numbers, first_page.LINE_WIDTH),
+            *(align(detail.details, first_page.LINE_WIDTH) for detail in step.steps),
+            align(step.numbers, first_page.LINE_WIDTH),
         ]
         of_blocks = [line for block in filter(None, blocks) for line in equations(block)]
         yield from (("euler_lagrange", key, False, line) for line in (*step.results, *of_blocks))

@@ -12,7 +12,7 @@ from ramanujan import UNIT_MASS_RATIO, normalized_frequency_squared
 from ramanujan.derivation import Step
 from ramanujan.derivation.model import epsilon
 from ramanujan.derivation.numbers import Numbers, unit_frequency_condition
-from ramanujan.derivation.rows import Row, align, make_rows
+from ramanujan.derivation.rows import Row, make_rows
 from ramanujan.figures import EncodedFigure
 from ramanujan.figures.oscillator_page import FrequencyCurve, Mark, draw_frequency_curve
 from ramanujan.shell import theme
@@ -90,15 +90,12 @@ class StepDetail:
 
     Parameters
     ----------
-    heading, reason : texts of the step
+    reason : its text
     details : its equations without the results of the line
-    equations : all of its equations as one block of LaTeX
     """
 
-    heading: str
     reason: str
     details: tuple[Row, ...]
-    equations: str
 
 
 @dataclass(frozen=True)
@@ -119,8 +116,8 @@ class SummaryStep:
     numbers: tuple[Row, ...]
 
 
-LINE_WIDTH, _NARROW_WIDTH = 60, 40
-"""Number of characters of a formula that fit into a window of 1280 px, and next to the machine."""
+LINE_WIDTH = 60
+"""Number of characters of a formula that fit into a window of 1280 px."""
 _NONE, _FIRST, _LAST, _ALL = slice(0), slice(1), slice(-1, None), slice(None)
 SUMMARY: tuple[Mapping[str, slice], ...] = (
     {"velocities": _ALL},
@@ -160,9 +157,8 @@ def _summary_step(selection: Mapping[str, slice], numbers: Numbers | None) -> Su
 
     details = []
     for key in selection:
-        step, equations = _step(key), _symbolic_rows(key)
-        others = tuple(row for row in equations if row not in results)
-        details.append(StepDetail(step.heading, step.reason, others, align(equations, _NARROW_WIDTH)))
+        others = tuple(row for row in _symbolic_rows(key) if row not in results)
+        details.append(StepDetail(_step(key).reason, others))
     return SummaryStep(
         _step(last).heading,
         tuple(row.unmarked.latex for row in results),

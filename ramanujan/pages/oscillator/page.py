@@ -1,9 +1,8 @@
 """Page 1: the machine in motion, its frequency on the curve, and the derivation in six steps."""
 
 import math
+import re
 from collections.abc import Sequence
-from contextlib import AbstractContextManager
-from typing import Any
 
 import streamlit as st
 
@@ -24,8 +23,6 @@ from ramanujan.text.translation import _
 
 # Two squared frequencies with a smaller relative difference are considered equal.
 _ROUNDING_ERROR = 1e-12
-# The largest number of lines of numbers that a slide has beside its equations.
-_NUMBERS_BESIDE = 2
 
 # Keys of the parameters with a slider above the machine.
 SLIDERS = ("m_prime", "m", "k")
@@ -86,17 +83,18 @@ def publish_machine() -> None:
 
 
 def draw_derivation() -> None:
-    """Draw the short derivation, and the link to the full one."""
-    if display_mode.is_projector():
-        draw_six_steps()
-        return
-    st.header(shared_with_file.STEPS_HEADING, anchor=False)
-    six_steps = st.container(key="six_steps")
-    derivation = menu.PAGES["derivation"]
-    # Draw the link first, because the steps take longer.
-    st.page_link(derivation.file, label=_("The whole derivation, in many ways"), icon=f":material/{derivation.icon}:")
-    with six_steps:
-        draw_six_steps()
+    """Draw the short derivation, and the link to the full one. They share one slide of the projector view."""
+    with slide("steps", shared_with_file.STEPS_HEADING):
+        st.header(shared_with_file.STEPS_HEADING, anchor=False)
+        six_steps = st.container(key="six_steps")
+        page = menu.PAGES["derivation"]
+        # Draw the link first, because the steps take longer.
+        st.page_link(page.file, label=_("The whole derivation, in many ways"), icon=f":material/{page.icon}:")
+        with six_steps:
+            if display_mode.is_projector():
+                draw_results()
+            else:
+                draw_six_steps()
 
 
 def draw_composition() -> None:
@@ -220,26 +218,36 @@ def set_clicked_ratio(point: dict[str, float]) -> None:
     sidebar.request_ratio(point["x"], 3)
 
 
+def draw_results() -> None:
+    """Draw the headings of the six steps and their results on a slide."""
+    sidebar.set_dependent_fragments(*dependent_fragments())
+    rows = [(_("Step"), _("Result"))]
+    for n, step in enumerate(cache.summary(None), start=1):
+        # Break a line before a sign. KaTeX would break it after the sign.
+        results = re.sub(r" ([+-]) ", r" \\allowbreak\1\\nobreak ", join_results(step))
+        rows.append((f"**{n}. {step.heading}**", results))
+    widgets.table(rows, "six_steps")
+
+
+def join_results(step: cache.SummaryStep) -> str:
+    """Return the results of a step in one line of Markdown."""
+    return " ".join(f"${result}$" for result in step.results).replace(r"\frac", r"\dfrac")
+
+
 @st.fragment(key="six_steps")
 def draw_six_steps() -> None:
     """Draw the short derivation with an expander for each step."""
     machine = sidebar.oscillator()
     numbers = None if display_mode.hides("numbers") else Numbers.of(machine)
-    steps = cache.summary(numbers)
     # The sliders rerun this fragment only while it shows numbers.
-    shows_steps = display_mode.is_projector()
-    if display_mode.is_projector():
-        draw_slides(steps)
-    else:
-        for n, step in enumerate(steps, start=1):
-            results = " ".join(f"${result}$" for result in step.results).replace(r"\frac", r"\dfrac")
-            line = st.expander(
-                f"**{n}. {step.heading}** {results}", key=f"summary_{n}", type="compact", on_change="rerun"
-            )
-            if line.open:
-                shows_steps = True
-                with line:
-                    draw_step(n, step, numbers)
+    shows_steps = False
+    for n, step in enumerate(cache.summary(numbers), start=1):
+        label = f"**{n}. {step.heading}** {join_results(step)}"
+        line = st.expander(label, key=f"summary_{n}", type="compact", on_change="rerun")
+        if line.open:
+            shows_steps = True
+            with line:
+                draw_step(n, step, numbers)
     fragments = dependent_fragments()
     if shows_steps:
         fragments.append("six_steps")
@@ -251,61 +259,16 @@ def draw_step(n: int, step: cache.SummaryStep, numbers: Numbers | None) -> None:
     for index, detail in enumerate(step.steps):
         st.markdown(detail.reason)
         draw_equations(f"{n}_{index}", detail.details)
-    draw_numbers(n, step.numbers, cache.LINE_WIDTH, state_numbers(numbers) if numbers else "")
-
-
-def draw_numbers(n: int, rows: Sequence[Row], width: int = cache.LINE_WIDTH, stated: str = "") -> None:
-    """Draw the equations of line n with the current numbers, if there are any. `stated` names these numbers."""
-    if rows:
+    if numbers and step.numbers:
         heading = _("Your machine")
-        st.markdown(f"### {heading}\n{stated}")
-        draw_equations(f"{n}_numbers", rows, width)
+        st.markdown(f"### {heading}\n{state_numbers(numbers)}")
+        draw_equations(f"{n}_numbers", step.numbers)
 
 
-def draw_equations(key: str, rows: Sequence[Row], width: int = cache.LINE_WIDTH) -> None:
+def draw_equations(key: str, rows: Sequence[Row]) -> None:
     """Draw equations aligned at their equals signs, if there are any."""
     if rows:
-        widgets.equations(key, align(rows, width), align_for_phone(rows))
-
-
-def draw_slides(steps: list[cache.SummaryStep]) -> None:
-    """Draw each step of the route on a slide of the projector view, and many numbers on the next slide."""
-    from ramanujan.figures.still_machine import draw_svg  # Imported late: the first page of a visitor does not need it.
-
-    machine = draw_svg(sidebar.oscillator(), sidebar.compression(), theme.paper_colors())
-    for n, step in enumerate(steps, start=1):
-        for index, detail in enumerate(step.steps):
-            letter = "abc"[index] if len(step.steps) > 1 else ""
-            title = f"{n}{letter}. {detail.heading}"
-            name = f"step_{n}_{index + 1}" if index else f"step_{n}"
-            rows = step.numbers if detail == step.steps[-1] else ()
-            is_continued = len(rows) > _NUMBERS_BESIDE
-            with slide(name, title), beside_machine(name, machine):
-                st.markdown(f"### {title}\n{detail.reason}")
-                with st.container(horizontal=True):
-                    st.latex(detail.equations, width="content")
-                    if rows and not is_continued:
-                        with st.container(width="content"):
-                            draw_numbers(n, rows, 24)
-            if is_continued:
-                next_name = f"numbers_{n}"
-                next_title = _("{heading}, continued").format(heading=title)
-                with slide(next_name, next_title), beside_machine(next_name, machine):
-                    draw_numbers(n, rows)
-
-
-def beside_machine(name: str, machine: str) -> AbstractContextManager[Any]:
-    """Draw the machine with its symbols at the right of a slide, and return the container at its left.
-
-    Parameters
-    ----------
-    name : name of the slide
-    machine : the picture, as SVG
-    """
-    picture, words = display_mode.floated(name)
-    with picture:
-        drawings.draw(machine, alt=_("The machine with its coordinates."), style="width:100%")
-    return words
+        widgets.equations(key, align(rows, cache.LINE_WIDTH), align_for_phone(rows))
 
 
 if __name__ == "__main__":

@@ -12,7 +12,7 @@ from ramanujan.shell.parameters import PARAMETERS
 from ramanujan.shell.sidebar import PRESETS, set_number
 from tests.checks.latex import equations
 from tests.checks.reference import frequency_squared
-from tests.checks.scenes import DEFAULTS, HOSTILE, sound, steps, values
+from tests.checks.scenes import DEFAULTS, HOSTILE, opened, sound, steps, values
 
 
 def box(app, key: str) -> dict[str, object]:
@@ -55,11 +55,21 @@ def test_six_steps_show_their_results_without_a_click_and_nothing_twice(app):
     written += [line for display in re.findall(r"\$\$\n(.*?)\n\$\$", text) for line in equations(display)]
     assert len(written) == len(set(written)) > 30
     # Numbers have a separate heading, and a sentence that names their machine.
-    for opened in text.split("**")[2::2]:
-        symbols, _heading, numbers = opened.partition("### Your machine")
+    for section in text.split("**")[2::2]:
+        symbols, _heading, numbers = section.partition("### Your machine")
         assert "The numbers are for" not in symbols
         assert ("The numbers are for" in numbers) == ("$$" in numbers)
     assert text.index(r"\varepsilon &= 1 ") > text.rindex("### Your machine")
+
+
+def test_a_slide_lists_the_results_of_all_six_steps_in_one_table(app):
+    folded = lines(app.run())
+    on_projector = opened("oscillator", {"view": "projector"})
+    table = on_projector.get_by_key("table-six_steps").markdown[0].value
+    # On the slide, a long equation is broken before a sign.
+    table = table.replace(r"\allowbreak", "").replace(r"\nobreak", "")
+    assert [" ".join(row.strip("| ").split(" | ")) for row in table.splitlines()[2:]] == folded
+    assert not lines(on_projector)
 
 
 def test_the_page_states_whether_the_machine_is_in_step(app):
