@@ -73,7 +73,14 @@ def build(bodies: Machine) -> Route:
         _spring_mass_step(bodies, least, stiffness),
         _bound_step(clamped, least, stiffness),
     )
-    return Route(name="energy", title=_("Energy"), steps=steps, natural_frequency_squared=frequency, cells=CELLS)
+    return Route(
+        name="energy",
+        title=_("Energy"),
+        idea=_("energy and two momenta are conserved; one equation is left"),
+        steps=steps,
+        natural_frequency_squared=frequency,
+        cells=CELLS,
+    )
 
 
 def _quotient_step(inertia: sp.Expr, path: sp.Expr, speed: sp.Expr, stiffness: sp.Expr) -> Step:

@@ -24,7 +24,12 @@ def build(bodies: model.Machine) -> Route:
     ending = unit_steps(result) if frequency.has(m_prime) else (close_to_one_step(frequency * m / k),)
     steps = (*bodies_steps(bodies), *_elimination_steps(result), *ending)
     return Route(
-        name="euler_lagrange", title=_("Euler–Lagrange"), steps=steps, natural_frequency_squared=frequency, cells=CELLS
+        name="euler_lagrange",
+        title=_("Euler–Lagrange"),
+        idea=_("energies of all bodies; no contact force appears"),
+        steps=steps,
+        natural_frequency_squared=frequency,
+        cells=CELLS,
     )
 
 

@@ -79,7 +79,14 @@ def build(bodies: Machine) -> Route:
         _reduction_step(constant, effective_mass, one_degree),
         _frequency_step(effective_mass, frequency, squared_ratio, rates, stiffness),
     )
-    return Route(name="hamilton", title=_("Hamilton"), steps=steps, natural_frequency_squared=frequency, cells=CELLS)
+    return Route(
+        name="hamilton",
+        title=_("Hamilton"),
+        idea=_("energies and momenta; two momenta are constant from the start"),
+        steps=steps,
+        natural_frequency_squared=frequency,
+        cells=CELLS,
+    )
 
 
 def _lagrangian_step(bodies: Machine) -> Step:

@@ -119,7 +119,14 @@ def build(bodies: Machine) -> Route:
         _shortcut_step(result, stiffness),
         _mode_shape_step(result),
     )
-    return Route(name="matrix", title=_("Matrix"), steps=steps, natural_frequency_squared=oscillating, cells=CELLS)
+    return Route(
+        name="matrix",
+        title=_("Matrix"),
+        idea=_("mass and stiffness matrix; all three modes at once"),
+        steps=steps,
+        natural_frequency_squared=oscillating,
+        cells=CELLS,
+    )
 
 
 def _matrices_step(result: Modes) -> Step:

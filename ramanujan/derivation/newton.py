@@ -177,7 +177,14 @@ def build(bodies: Machine) -> Route:
         _contact_step(free_bodies),
         _frequency_step(of_phi, solved_phi_ddot, frequency),
     )
-    return Route(name="newton", title=_("Newton"), steps=steps, natural_frequency_squared=frequency, cells=CELLS)
+    return Route(
+        name="newton",
+        title=_("Newton"),
+        idea=_("a balance for each body; friction forces come out as well"),
+        steps=steps,
+        natural_frequency_squared=frequency,
+        cells=CELLS,
+    )
 
 
 def _solve_friction(free_bodies: FreeBodies) -> dict[sp.Expr, sp.Expr]:

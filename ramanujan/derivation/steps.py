@@ -104,6 +104,7 @@ class Route:
     ----------
     name : the key in `ROUTES`
     title : the title on a page
+    idea : what the route starts from, and what it does without, in a few words
     steps : the steps in their order
     natural_frequency_squared : the result, an expression in m, m′ and k
     cells : step key → plain SymPy code that repeats the step, for the notebook
@@ -111,6 +112,7 @@ class Route:
 
     name: str
     title: str
+    idea: str
     steps: tuple[Step, ...]
     natural_frequency_squared: sp.Expr
     cells: Mapping[str, str] = field(default_factory=dict, repr=False)

@@ -51,6 +51,7 @@ def test_a_new_route_needs_one_file_and_one_line(monkeypatch):
         return Route(
             name="trivial",
             title="Trivial",
+            idea="no physics",
             steps=(step,),
             natural_frequency_squared=k / m,
             cells={"only": "Omega_squared = k / m"},

@@ -18,14 +18,18 @@ def draw_modes(numbers: Numbers | None) -> None:
     """Draw the three modes in three columns."""
     st.header(_("Three normal modes, one of them oscillates"), anchor=False)
     words, formulas = columns("modes")
+    zero_modes = _(
+        "A mode that does not deform the spring has $\\omega=0$. It is called a zero mode, and it conserves a momentum."
+    )
     with words:
-        st.markdown(
-            _(
+        if is_projector():
+            st.markdown(zero_modes)
+        else:
+            shape_and_frequency = _(
                 "The mode shape $v$ lists the amplitudes of $X$, $\\varphi$ and $\\Phi$ in proportion, and $\\omega$ "
-                "is the mode’s angular frequency. A mode that does not deform the spring has $\\omega=0$. It is "
-                "called a zero mode, and it conserves a momentum."
+                "is the mode’s angular frequency."
             )
-        )
+            st.markdown(f"{shape_and_frequency} {zero_modes}")
     shapes, momenta = cache.spectrum(numbers)
     if not is_projector():
         with formulas:
@@ -34,35 +38,30 @@ def draw_modes(numbers: Numbers | None) -> None:
         (
             "swing",
             _("The machine oscillates"),
-            _(
-                "Here $\\omega=\\Omega$, and all three coordinates oscillate with this one frequency. A machine "
-                "released at rest keeps $p_X=p_\\Phi=0$, so it moves in this mode alone."
-            ),
+            _("Here $\\omega=\\Omega$, and all three coordinates oscillate with this one frequency."),
+            _("A machine released at rest keeps $p_X=p_\\Phi=0$, so it moves in this mode alone."),
         ),
         (
             "glide",
             _("The whole machine glides"),
-            _(
-                "$\\omega=0$. No force depends on the position of the machine on the floor, so $p_X$ is conserved. "
-                "$-p_X$ is the momentum of the whole machine, positive to the right."
-            ),
+            _("$\\omega=0$. No force depends on the position of the machine on the floor, so $p_X$ is conserved."),
+            _("$-p_X$ is the momentum of the whole machine, positive to the right."),
         ),
         (
             "roll",
             _("The top cylinder rolls freely"),
-            _(
-                "$\\omega=0$. No force depends on the angle of the top cylinder, so $p_\\Phi$ is conserved. It is the "
-                "angular momentum of the top cylinder about its line of contact with the block."
-            ),
+            _("$\\omega=0$. No force depends on the angle of the top cylinder, so $p_\\Phi$ is conserved."),
+            _("It is the angular momentum of the top cylinder about its line of contact with the block."),
         ),
     )
-    for column, (key, title, explanation), shape in zip(st.columns(3), modes, shapes, strict=True):
+    for column, (key, title, finding, detail), shape in zip(st.columns(3), modes, shapes, strict=True):
         with column:
             stages.mount(
                 None, key=f"mode_{key}", clock="modes", layers=(), compact=True, label=title, address_prefix="modes_"
             )
             st.latex(shape)
-            st.markdown(explanation)
+            # A slide has no room for both sentences below large machines.
+            st.markdown(finding if is_projector() else f"{finding} {detail}")
     publish_machine()
 
 

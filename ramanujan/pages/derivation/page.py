@@ -11,7 +11,7 @@ from ramanujan.answers import QUESTIONS, find_question
 from ramanujan.browser import stage
 from ramanujan.browser.components import keys, turn
 from ramanujan.browser.containers import container
-from ramanujan.derivation import ROUTES, Step
+from ramanujan.derivation import ROUTES, Route, Step
 from ramanujan.derivation.newton import named_forces
 from ramanujan.derivation.nomenclature import DOTS
 from ramanujan.derivation.numbers import Numbers, state_numbers
@@ -19,7 +19,7 @@ from ramanujan.derivation.remarks import REMARKS
 from ramanujan.pages.derivation import cache
 from ramanujan.pages.derivation.normal_modes import MODES, draw_modes
 from ramanujan.shell import address, display_mode, menu, messages, sidebar, stages, theme, widgets
-from ramanujan.shell.display_mode import columns, picture_and_words, slide
+from ramanujan.shell.display_mode import columns, slide
 from ramanujan.shell.pending_updates import set_widgets
 from ramanujan.shell.sections.cubes import draw_stacks
 from ramanujan.shell.sections.typed_answer import QUESTION, draw_section
@@ -289,35 +289,41 @@ def offer_files(setting: Setting) -> None:
 
 @st.fragment(key="results")
 def compare_routes() -> None:
-    """Draw the common result of all routes, and for each route a check mark on a button that selects it."""
+    """Draw the common result of all routes, and a line for each route."""
     st.header(_("All routes give the same frequency"), anchor=False)
     numbers = None if display_mode.hides("numbers") else current_numbers()
     lines = cache.result(numbers)
     if not display_mode.is_projector():
         # The formula is at the top of the page.
         lines = lines[1:]
-    words, formulas = columns("results") if lines else (nullcontext(), nullcontext())
-    formulas_column, words_column = picture_and_words()
-    with formulas, formulas_column:
-        for line in lines:
-            st.latex(line)
+    result, routes = columns("results") if not display_mode.is_projector() else (nullcontext(), nullcontext())
+    with result:
+        with st.container(horizontal=True):
+            for line in lines:
+                st.latex(line)
         if numbers and not display_mode.is_projector():
             st.caption(state_numbers(numbers))
-    with words, words_column:
-        with st.container(horizontal=not display_mode.is_projector()):
-            for route in cache.all_routes():
-                agrees = cache.agrees(route.name)
-                is_chosen = st.button(
-                    _("{route}, {n} steps").format(route=route.title, n=len(route.steps)),
-                    key=f"select_{route.name}",
-                    type="tertiary",
-                    icon=":material/check:" if agrees else ":material/close:",
-                    on_click=select_route,
-                    args=(route.name,),
-                )
-                if is_chosen:
-                    st.rerun()
         st.markdown(_("SymPy has checked that the difference between any two results is exactly 0."))
+    with routes:
+        for route in cache.all_routes():
+            draw_link_to_route(route)
+
+
+def draw_link_to_route(route: Route) -> None:
+    """Draw a button that selects a route, with a check mark if its result agrees, beside the idea of the route."""
+    link, idea = st.columns([2, 3], vertical_alignment="center")
+    with link:
+        is_chosen = st.button(
+            _("{route}, {n} steps").format(route=route.title, n=len(route.steps)),
+            key=f"select_{route.name}",
+            type="tertiary",
+            icon=":material/check:" if cache.agrees(route.name) else ":material/close:",
+            on_click=select_route,
+            args=(route.name,),
+        )
+    idea.markdown(route.idea)
+    if is_chosen:
+        st.rerun()
 
 
 def draw_notes_on_paper() -> None:
