@@ -55,7 +55,7 @@ SENTENCES = {
     "same_drift_k": _("k makes both {factor} times as fast, so the drift stays the same."),
     "same_drift_m": _("m and m′ make both {factor} times as fast, so the drift stays the same."),
     # TRANSLATORS: {run} is the name of a method with its number of steps per period.
-    "counted": _("Dashed: {run}. Period {period} of {periods}: {evaluations} evaluations of the force."),
+    "counted": _("Dashed: {run}. After {period} of {periods} periods: {evaluations} evaluations of the force."),
     "computed_dial": _(
         "A clock with two hands, seen once a period: the exact hand is at the top, and the computed hand is ahead or "
         "behind by the phase error. The errors allowed are marked."

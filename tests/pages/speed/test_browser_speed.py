@@ -19,7 +19,7 @@ def test_a_run_is_drawn_no_control_is_cut_and_the_diagram_is_measured(visit):
     height = "document.querySelector('.st-key-race').offsetHeight"
     reserved = page.evaluate(f"[...{places}, {height}]")
     run.click()
-    expect(label).to_contain_text("Period 30 of 30: 241 evaluations", timeout=60_000)
+    expect(label).to_contain_text("After 30 of 30 periods: 241 evaluations", timeout=60_000)
     expect(result).to_contain_text("Not yet.", timeout=60_000)
     assert page.evaluate(f"[...{places}, {height}]") == pytest.approx(reserved, abs=1), "nothing has jumped"
     # The slab is at x₀ + (cos Ωt − 1)(8 + 6ε)/(7 + 6ε) x₀/2; the outline has q instead of cos Ωt.
@@ -41,7 +41,7 @@ def test_a_run_is_drawn_no_control_is_cut_and_the_diagram_is_measured(visit):
     # Without reduced motion, the run is shown before its verdict.
     page.emulate_media(reduced_motion="no-preference")
     run.click()
-    expect(label).to_contain_text(re.compile("Period [1-9]"), timeout=60_000)
+    expect(label).to_contain_text(re.compile("After [1-9]"), timeout=60_000)
     expect(result).to_be_hidden()
     growth = page.locator(".st-key-growth")
     expect(growth).to_have_css("visibility", "hidden")
