@@ -38,6 +38,7 @@ from ramanujan.pages.oscillator import shared_with_file, story
 from ramanujan.shell import address, stages, theme, widgets
 from ramanujan.shell.address import URLParameter
 from ramanujan.shell.parameters import PARAMETERS, SENTENCES, WATCH, Parameter
+from ramanujan.shell.sections import cubes
 from ramanujan.shell.shared_cache import route
 from ramanujan.standalone import curve
 from ramanujan.text.translation import LANGUAGE, _, pgettext
@@ -72,7 +73,7 @@ def html() -> str:
     slots = {
         "title": _("Ramanujan’s oscillator"),
         "question": _convert_bold(shared_with_file.question()),
-        "reason": escape(shared_with_file.reason()),
+        "reason": escape(cubes.reason()),
         "machine": _("The machine"),
         "still_machine": _draw_still_machine(),
         "how_to_open": _("To see the machine move, save this file and open it in a web browser."),

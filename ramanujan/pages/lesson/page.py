@@ -3,6 +3,8 @@
 Before a prediction the answer is neither drawn nor sent to the browser (`stops`).
 """
 
+from collections.abc import Sequence
+from contextlib import nullcontext
 from functools import partial
 
 import streamlit as st
@@ -13,10 +15,10 @@ from ramanujan.classroom.rules import Phase
 from ramanujan.pages.classroom import desk, door, phone, wall
 from ramanujan.pages.lesson import stops
 from ramanujan.shell import address, class_session, progress, sidebar, widgets
-from ramanujan.shell.display_mode import columns, is_projector, slide
+from ramanujan.shell.display_mode import columns, is_projector, picture_and_words, slide
 from ramanujan.shell.menu import PAGES
-from ramanujan.shell.sections import exercise, tasks
-from ramanujan.text.translation import _, ngettext
+from ramanujan.shell.sections import cubes, exercise, tasks
+from ramanujan.text.translation import _, ngettext, pgettext
 
 URL_PARAMETERS = (*progress.URL_PARAMETERS, *tasks.URL_PARAMETERS, *exercise.URL_PARAMETERS)
 # Numbers of stops on a slide of the projector view: with their notes, and with their results.
@@ -151,37 +153,52 @@ def select_stop(name: str) -> None:
 
 
 def draw_end(path: tuple[lesson.Stop, ...]) -> None:
-    """Draw the end: each answered stop with the right answer and the prediction."""
-    right, answered, lines = 0, 0, []
+    """Draw the end: the predictions and what happened, the number of the lesson, and where to go on."""
+    right, answered, rows = 0, 0, []
     for stop in path:
         chosen, phase = progress.read_prediction(stop)
-        if chosen is None or phase != progress.ANSWERED:
-            lines.append(_("- **{heading}** – Not answered yet.").format(heading=stop.heading))
-            continue
-        answered += 1
-        if chosen == stop.right:
-            right += 1
-            line = _("- **{heading}** – :green[:material/check_circle:] {right}")
-        else:
-            line = _("- **{heading}** – You predicted: {chosen} :green[**Right:**] {right}")
-        labels = {"chosen": stop.options[chosen], "right": stop.options[stop.right]}
-        lines.append(line.format(heading=stop.heading, **labels))
+        prediction, result = _("Not answered yet"), ""
+        if chosen and phase == progress.ANSWERED:
+            answered += 1
+            right += chosen == stop.right
+            prediction, result = stop.options[chosen], stop.options[stop.right]
+        if result and chosen == stop.right:
+            prediction = _(":green[:material/check_circle:] Right")
+        rows.append((f"**{stop.heading}**", prediction, result))
     sentence = _("You answered {answered} of {stops} questions. Your prediction was right at {right} of them.")
-    first = _RESULTS_PER_SLIDE if is_projector() else len(lines)
-    with slide("seen", ENDING):
+    first = _RESULTS_PER_SLIDE if is_projector() else len(rows)
+    results, onwards = (nullcontext(), nullcontext()) if is_projector() else st.columns([5, 3], gap="large")
+    with results, slide("seen", ENDING):
         st.title(ENDING, anchor=False)
-        st.markdown(sentence.format(answered=answered, stops=len(path), right=right))
-        st.markdown("\n".join(lines[:first]))
-    if lines[first:]:
-        with slide("seen_on", _("{heading}, continued").format(heading=ENDING)):
-            st.markdown("\n".join(lines[first:]))
-    with slide("onwards", _("Where to go on")):
-        st.markdown(_("Where to go on:"))
-        label = _("Set the machine yourself: twelve tasks")
-        new_part = {progress.PART.name: "tasks"}
-        st.button(label, key="to_tasks", on_click=st.session_state.update, args=(new_part,))
-        for name, label in _ONWARDS.items():
-            st.page_link(PAGES[name].file, label=label, icon=":material/arrow_forward:")
+        st.container(key="ending").markdown(sentence.format(answered=answered, stops=len(path), right=right))
+        draw_results(rows[:first], "seen")
+    if rows[first:]:
+        with results, slide("seen_on", _("{heading}, continued").format(heading=ENDING)):
+            draw_results(rows[first:], "seen_on")
+    with onwards, slide("onwards", _("Where to go on")), st.container(key="onwards"):
+        picture, words = picture_and_words()
+        # A reader's own end does not reveal the answer to the question about the number.
+        if answered == len(path) or is_projector():
+            with picture:
+                st.markdown(cubes.reason())
+                cubes.draw_stacks(with_values=False)
+        with words:
+            draw_onwards()
+
+
+def draw_onwards() -> None:
+    """Draw the button of the tasks and the links to other pages."""
+    st.markdown(_("Where to go on:"))
+    label = _("Set the machine yourself: twelve tasks")
+    new_part = {progress.PART.name: "tasks"}
+    st.button(label, key="to_tasks", on_click=st.session_state.update, args=(new_part,))
+    for name, label in _ONWARDS.items():
+        st.page_link(PAGES[name].file, label=label, icon=":material/arrow_forward:")
+
+
+def draw_results(rows: Sequence[tuple[str, str, str]], key: str) -> None:
+    """Draw a table of stops, each with its prediction and what happened."""
+    widgets.table([(pgettext("of the lesson", "Stop"), _("Your prediction"), _("What happened")), *rows], key)
 
 
 def draw_task(head: st.delta_generator.DeltaGenerator) -> None:
@@ -199,15 +216,16 @@ def draw_notes(_head: st.delta_generator.DeltaGenerator) -> None:
         _draw_introduction()
         if not (class_session.lecturer_key() or st.toggle(label, key="notes_shown")):
             return
-    left, right = columns("notes")
-    for start in range(0, len(lesson.STOPS), _NOTES_PER_SLIDE):
-        group = lesson.STOPS[start : start + _NOTES_PER_SLIDE]
-        column = left if start < len(lesson.STOPS) / 2 else right
-        with column, slide(f"notes_{start}", group[0].heading):
-            for number, stop in enumerate(group, start=start + 1):
-                _draw_note(number, stop)
-    with slide("sources", _("Sources")):
-        st.markdown("\n".join(f"{number}. {source}" for number, source in enumerate(lesson.SOURCES, start=1)))
+    with st.container(key="notes_list"):
+        for start in range(0, len(lesson.STOPS), _NOTES_PER_SLIDE):
+            group = lesson.STOPS[start : start + _NOTES_PER_SLIDE]
+            with slide(f"notes_{start}", group[0].heading):
+                for number, stop in enumerate(group, start=start + 1):
+                    _draw_note(number, stop)
+        heading = _("Sources")
+        with slide("sources", heading):
+            sources = "\n".join(f"{number}. {source}" for number, source in enumerate(lesson.SOURCES, start=1))
+            st.markdown(f"##### {heading}\n{sources}")
 
 
 def _draw_introduction() -> None:
@@ -218,9 +236,12 @@ def _draw_introduction() -> None:
     labels = {}
     for length, included in lengths.items():
         labels[length] = template.format(stops=len(included), minutes=sum(stop.minutes for stop in included))
-    widgets.pills(progress.LENGTH, _("How long is the lesson?"), labels)
-    st.caption(_("Without a choice, a class goes through the short lesson, and a reader through all of it."))
-    st.markdown(lesson.INTRODUCTION)
+    choice, introduction = columns("introduction")
+    with choice:
+        widgets.pills(progress.LENGTH, _("How long is the lesson?"), labels)
+        st.caption(_("Without a choice, a class goes through the short lesson, and a reader through all of it."))
+    with introduction:
+        st.markdown(lesson.INTRODUCTION)
 
 
 def _draw_note(number: int, stop: lesson.Stop) -> None:

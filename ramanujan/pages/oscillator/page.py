@@ -109,7 +109,7 @@ def draw_composition() -> None:
 def draw_reason() -> None:
     """Draw why the ratio in step is remarkable. The style sheet shows it while the hands are locked."""
     with st.container(key="why"):
-        st.markdown(shared_with_file.reason())
+        st.markdown(cubes.reason())
         if not display_mode.is_projector():
             page = menu.PAGES["taxicab"]
             st.page_link(page.file, label=_("Why it appears in a machine → 1729"), width="content")

@@ -1,7 +1,6 @@
 """The texts that the first page shares with the standalone file."""
 
 from ramanujan.figures.oscillator_page import FrequencyCurve
-from ramanujan.number_theory import smallest_taxicab, sums_of_two_cubes
 from ramanujan.pages.oscillator import cache
 from ramanujan.text.translation import _
 
@@ -22,14 +21,6 @@ def question() -> str:
         "Each clock hand turns once in a period (oscillation): one for the machine, one for the plain mass. "
         "**Which lower-roller mass m′ keeps them in step?**"
     )
-
-
-def reason() -> str:
-    """Return why the ratio in step is remarkable, in Markdown."""
-    sentence = _("{number} = {sums} is the smallest number with two such sums: the number of Hardy’s taxi.")
-    number = smallest_taxicab()
-    sums = " = ".join(f"{x}³\u00a0+\u00a0{y}³" for x, y in sums_of_two_cubes(number))
-    return sentence.format(number=number, sums=sums)
 
 
 def curve_alternative(curve: FrequencyCurve) -> str:

@@ -1,11 +1,19 @@
-"""The two stacks of cubes, on the page 1729 and at the last step of the derivation."""
+"""The two sums of cubes, in words and as two stacks of cubes."""
 
 from ramanujan.browser.components import cubes
-from ramanujan.number_theory import BodyChoice
+from ramanujan.number_theory import BodyChoice, smallest_taxicab, sums_of_two_cubes
 from ramanujan.text.translation import _
 
 PAPER = BodyChoice()
 """The paper's machine."""
+
+
+def reason() -> str:
+    """Return why the ratio in step is remarkable, in Markdown."""
+    sentence = _("{number} = {sums} is the smallest number with two such sums: the number of Hardy’s taxi.")
+    number = smallest_taxicab()
+    sums = " = ".join(f"{x}³\u00a0+\u00a0{y}³" for x, y in sums_of_two_cubes(number))
+    return sentence.format(number=number, sums=sums)
 
 
 def draw_stacks(*, with_values: bool = True) -> None:

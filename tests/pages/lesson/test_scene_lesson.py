@@ -236,11 +236,17 @@ def test_the_short_lesson_has_six_stops_and_an_end_with_the_answers(opened):
     app = opened(stops="short", stop="end", chosen=predictions)
     shown = "\n".join(text.value for text in app.markdown)
     assert "You answered 2 of 6 questions. Your prediction was right at 1 of them." in shown
-    assert f"You predicted: {second.options[other_than(second)]}" in shown
+    wrong, right = second.options[other_than(second)], second.options[second.answer()]
+    assert f"| **{first.heading}** | :green[:material/check_circle:] Right | {first.options[first.answer()]} |" in shown
+    assert f"| **{second.heading}** | {wrong} | {right} |" in shown
+    # The sums of cubes answer a question that is still open.
+    assert "1729 = 1³" not in shown
     is_shown = [stop.options[stop.answer()] in shown for stop in short]
     assert is_shown == [True, True, False, False, False, False]
     assert shown.count("Not answered yet") == 4
     assert len(app.get("page_link")) == 4
+    every = "~".join(f"{stop.id}.{stop.answer()}" for stop in short)
+    assert "1729 = 1³" in markdown(opened(stops="short", stop="end", chosen=every))
     unbroken(app.button(key="to_tasks").click().run())
     assert app.title[0].value == lesson.TASKS[0].heading
     # A link can also open a stop outside the six.
