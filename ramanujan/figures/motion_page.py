@@ -15,7 +15,6 @@ from ramanujan.figures import (
     WITHOUT_HOVER,
     EncodedFigure,
     build_figure,
-    legend,
     line,
     note,
     spread,
@@ -26,8 +25,8 @@ from ramanujan.text.translation import _
 
 _HEIGHT, _PLANE_HEIGHT = 356, 420
 """The height of curves over time, and of a phase plane [px]."""
-_FLAT_HEIGHT, _FLATTEST = 244, 2.2
-"""The height of a phase plane that is much wider than high [px], and the largest ratio of its width to its height."""
+_FLAT_HEIGHT, _FLATTEST = 280, 1.6
+"""The height of a phase plane as flat as possible [px], and the ratio of its width to its height."""
 _BELOW = 48
 _ABOVE = 28
 """The margins below and above the plotting area [px]."""
@@ -35,10 +34,12 @@ _LEAST_HEIGHT = 0.07
 """The least height of an area with a name, in fractions of the axis: the letters of a slide."""
 _LEADER = 16
 """The length of the line from the end of a curve to its name [px]."""
-_LINE_HEIGHT = 0.095
-"""The height of a line of a name on a slide, in fractions of the plotting area."""
-_LONGEST_NAME = 17
-"""The largest number of letters of a name in one line."""
+_LINE_HEIGHT, _PLANE_LINE_HEIGHT, _FLAT_LINE_HEIGHT = 0.095, 0.13, 0.16
+"""The height of a line of a name on a slide, in fractions of the plotting area, of a phase plane, and of a flat one."""
+_LONGEST_NAME, _NARROW_NAME = 17, 11
+"""The largest number of letters of a name in one line, and beside a phase plane, which needs the width itself."""
+FASTEST = 0.25
+"""The time before the end of a whole period at which a body that was released at rest is fastest [periods]."""
 
 
 @dataclass(frozen=True)
@@ -55,6 +56,7 @@ class TimeCurve:
     label: str
     width: float = 2.5
     dash: str = "solid"
+    opacity: float = 1.0
     is_stacked: bool = False
     is_hatched: bool = False
     ink: str | None = None
@@ -69,7 +71,8 @@ class TimeCurve:
 class Panel:
     """Curves with a common vertical axis: its title, its unit, its curves and its range.
 
-    The area from −`limit` to `limit` is shaded. `limit_label` names it in the figure.
+    The area from −`limit` to `limit` is shaded. `limit_label` names it in the figure. The leader to the name of a line
+    starts `named_before_end` periods before the end of the line, where lines with a common end differ.
     """
 
     title: str
@@ -78,6 +81,7 @@ class Panel:
     range: tuple[float, float]
     limit: TimeCurve | None = None
     limit_label: str = ""
+    named_before_end: float = 0.0
 
 
 def draw_panel(panel: Panel, *, period: float, periods: int, colors: Mapping[str, str]) -> EncodedFigure:
@@ -97,13 +101,15 @@ def draw_panel(panel: Panel, *, period: float, periods: int, colors: Mapping[str
     notes = [_text_above(period, _("one period"), font={"size": 12})]
     shapes = [_vertical_line(period, {"color": colors["ink"], "width": 1, "dash": "dot"}, layer="below")]
     title = _("{quantity} [{unit}]").format(quantity=panel.title, unit=panel.unit)
-    axes = {"yaxis": _axis(title, panel.range, nticks=6, **_zero_line(colors))}
+    axes: dict[str, Any] = {"yaxis": _axis(title, panel.range, nticks=6, **_zero_line(colors))}
     if panel.curves[0].is_stacked:
         notes += _name_stack(panel, end, colors)
     else:
-        leaders, names = _name_lines(panel, "y2")
+        share = 1 - panel.named_before_end / periods
+        starts = [(end * share, _at(share, curve.values)) for curve in panel.curves]
+        leaders, names = _name_lines(panel.curves, starts, end, panel.range)
         shapes += leaders
-        axes["yaxis2"] = _axis("", panel.range, overlaying="y", **names)
+        axes["yaxis2"] = names
     if panel.limit:
         traces = [*_shade(panel.limit, panel.unit, end), *traces]
         label = note(panel.limit_label, panel.limit.ink, 0, panel.range[1])
@@ -137,6 +143,8 @@ def draw_phase_plane(
 ) -> EncodedFigure:
     """Draw v/Ω against displacement for several coordinates on common axes, so that an oscillation is a circle.
 
+    The leader to the name of an orbit starts where a body that was released at rest is fastest for the last time.
+
     Parameters
     ----------
     orbits : each with the displacements [cm] at n equal steps of time
@@ -157,26 +165,38 @@ def draw_phase_plane(
     ]
     # With the constraint "range", each change of the window would widen the ranges further.
     centred = {**_zero_line(colors), "nticks": 7, "constrain": "domain"}
+    scale = {"scaleanchor": "x", "constrain": "domain", "constraintoward": "top"}
+    title = _text_above(0, _("velocity <i>v</i>/Ω [cm]"), xref="x domain", xanchor="left", xshift=-32, yshift=5)
     displacement_range, (low, high) = ranges
     # A long drift does not flatten the plane further than the height of its figure.
     margin = max(0.0, float(np.ptp(displacement_range)) / _FLATTEST - (high - low)) / 2
     velocity_range = low - margin, high + margin
+    share = 1 - FASTEST / periods
+    starts = [(_at(share, orbit.values), _at(share, v)) for orbit, v in zip(orbits, velocities, strict=True)]
+    place = orbits, starts, displacement_range[1], velocity_range
+    line_height = _FLAT_LINE_HEIGHT if is_flat(ranges) else _PLANE_LINE_HEIGHT
+    leaders, names = _name_lines(*place, line_height=line_height, longest=_NARROW_NAME)
     return _lay_out(
         traces,
         colors,
         height=_FLAT_HEIGHT if is_flat(ranges) else _PLANE_HEIGHT,
+        left=48,
         xaxis=_axis(_("displacement [cm]"), displacement_range, **centred),
-        yaxis=_axis(_("velocity <i>v</i>/Ω [cm]"), velocity_range, scaleanchor="x", constraintoward="top", **centred),
+        yaxis=_axis("", velocity_range, **centred | scale),
+        # Plotly clips the leaders at the area of this axis, so the constraint is repeated.
+        yaxis2=names | scale,
+        shapes=leaders,
+        # Above its axis the title leaves the plane more of the width. The shadow would cover a part of the letter v.
+        annotations=[title | {"font": {"shadow": "none"}}],
         hovermode="closest",
         meta={"cursor": "orbit", "period": period, "periods": periods},
-        **legend(),
     )
 
 
 def is_flat(ranges: tuple[tuple[float, float], tuple[float, float]]) -> bool:
-    """Return whether a drift makes the phase plane with these ranges much wider than high."""
+    """Return whether a drift makes the phase plane with these ranges as flat as possible."""
     displacements, velocities = map(np.ptp, ranges)
-    return bool(displacements > 1.6 * velocities)
+    return bool(displacements > _FLATTEST * velocities)
 
 
 def draw_friction_bars(
@@ -235,8 +255,10 @@ def round_up(value: float) -> float:
     return next((digit * power for digit in (1, 1.5, 2, 3, 4, 5, 7) if digit * power >= value), 10 * power)
 
 
-def _lay_out(traces: list[dict[str, Any]], colors: Mapping[str, str], *, height: int, **layout: Any) -> EncodedFigure:
-    margin = {"t": _ABOVE, "b": _BELOW, "l": 64}
+def _lay_out(
+    traces: list[dict[str, Any]], colors: Mapping[str, str], *, height: int, left: int = 64, **layout: Any
+) -> EncodedFigure:
+    margin = {"t": _ABOVE, "b": _BELOW, "l": left}
     return build_figure(traces, colors, height + _BELOW + _ABOVE, margin=margin, uirevision="stay", **layout)
 
 
@@ -301,46 +323,69 @@ def _crest(values: np.ndarray, first: int, last: int) -> int:
     return first + int(values[first:last].argmax())
 
 
-def _in_ink(curve: TimeCurve) -> str:
+def _in_ink(curve: TimeCurve, longest: int = _LONGEST_NAME) -> str:
     """Return the label of a curve in its colour for words, a long one in lines that end at a space or a dash."""
     lines = [curve.label]
-    if len(without_tags(curve.label)) > _LONGEST_NAME:
-        lines = textwrap.wrap(curve.label.replace("–", "– "), _LONGEST_NAME)
+    if len(without_tags(curve.label)) > longest:
+        lines = textwrap.wrap(curve.label.replace("–", "– "), longest)
     return f'<span style="color:{curve.ink}">{"<br>".join(lines).replace("– ", "–")}</span>'
 
 
-def _name_lines(panel: Panel, axis: str) -> tuple[list[dict[str, Any]], dict[str, Any]]:
-    """Return a leader from the end of each line to its name, and the names as tick labels of an axis at the right.
+def _at(share: float, values: np.ndarray) -> float:
+    """Return the value at a share of the time span, from values at equal steps."""
+    return float(np.interp(share, np.linspace(0, 1, len(values)), values))
 
-    Plotly widens the margin for tick labels, but not for annotations. Lines that end at one point have their names in
-    the order in which they arrive there.
+
+def _name_lines(
+    curves: Sequence[TimeCurve],
+    starts: Sequence[tuple[float, float]],
+    end: float,
+    heights: tuple[float, float],
+    *,
+    line_height: float = _LINE_HEIGHT,
+    longest: int = _LONGEST_NAME,
+) -> tuple[list[dict[str, Any]], dict[str, Any]]:
+    """Return leaders from points of lines to their names, and the axis at the right whose tick labels are the names.
+
+    Plotly widens the margin for tick labels, but not for annotations. Inside the plotting area a leader is level and
+    dotted. Lines that are named at one point have their names in the order in which they arrive there.
 
     Parameters
     ----------
-    panel : the lines
-    axis : of the names
+    curves : the lines
+    starts : of the leaders, x and y
+    end : of the plotting area, x
+    heights : the range of the vertical axis
+    line_height : of a name, in fractions of this range; less if the names would be higher than the range
+    longest : the largest number of letters of a name in one line
     """
-    low, high = panel.range
-    height = high - low
-    before_end = len(panel.curves[0].values) * 15 // 16
+    low, high = heights
+    before_end = len(curves[0].values) * 15 // 16
 
-    def order(curve: TimeCurve) -> tuple[float, float]:
-        # Lines that end closer together than a pixel end at one point.
-        return round(float(curve.values[-1]) / height, 3), float(curve.values[before_end])
+    def order(named: tuple[TimeCurve, tuple[float, float]]) -> tuple[float, float]:
+        curve, (_x, y) = named
+        # Points that are closer together than a pixel are one point.
+        return round(y / (high - low), 3), float(curve.values[before_end])
 
-    curves = sorted(panel.curves, key=order, reverse=True)
-    ends = [float(curve.values[-1]) for curve in curves]
-    texts = [_in_ink(curve) for curve in curves]
-    halves = [height * _LINE_HEIGHT * (text.count("<br>") + 1) / 2 for text in texts]
-    levels = spread(ends, halves, low, high)
-    leader = {"type": "line", "xref": "paper", "xsizemode": "pixel", "xanchor": 1, "x0": 0, "x1": _LEADER, "yref": axis}
-    leaders = [
-        leader | {"y0": end, "y1": level, "line": {"color": curve.color, "width": 1.5}}
-        for curve, end, level in zip(curves, ends, levels, strict=True)
-    ]
+    named = sorted(zip(curves, starts, strict=True), key=order, reverse=True)
+    texts = [_in_ink(curve, longest) for curve, _start in named]
+    counts = [text.count("<br>") + 1 for text in texts]
+    half = (high - low) * min(line_height, 1 / sum(counts)) / 2
+    halves = [half * count for count in counts]
+    levels = spread([y for _curve, (_x, y) in named], halves, low, high)
+    outside = {"xref": "x domain", "xsizemode": "pixel", "xanchor": 1, "x0": 0, "x1": _LEADER}
+    to_name = {"type": "line", "yref": "y2", **outside}
+    leaders = []
+    for (curve, (x, y)), level in zip(named, levels, strict=True):
+        look = {"color": curve.color, "width": 1.5}
+        if x < end:
+            level_part = {"type": "line", "layer": "below", "x0": x, "x1": end, "y0": y, "y1": y}
+            leaders.append(level_part | {"line": look | {"dash": "dot"}})
+        leaders.append(to_name | {"y0": y, "y1": level, "line": look})
     room_for_leaders = {"ticks": "outside", "ticklen": _LEADER + 2, "tickcolor": "rgba(0,0,0,0)"}
-    names = {"side": "right", "showgrid": False, "showline": False, "tickvals": levels, "ticktext": texts}
-    return leaders, names | room_for_leaders
+    names = {"side": "right", "overlaying": "y", "showgrid": False, "showline": False}
+    ticks = {"tickvals": levels, "ticktext": texts}
+    return leaders, _axis("", heights, **names, **ticks, **room_for_leaders)
 
 
 def _shade(limit: TimeCurve, unit: str, end: float) -> list[dict[str, Any]]:
@@ -363,6 +408,7 @@ def _trace(curve: TimeCurve, unit: str, end: float) -> dict[str, Any]:
         "name": curve.label,
         "mode": "lines",
         "line": curve.look,
+        "opacity": curve.opacity,
         # By default Plotly writes a space before the colon.
         "hovertemplate": hover,
         # Plotly writes a minus sign with this property, but a hyphen with a format in the template.

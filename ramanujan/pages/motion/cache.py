@@ -1,7 +1,7 @@
 """The caches of page 3: the motion and its figures for the current settings."""
 
 import math
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import replace
 from typing import Any
 
@@ -10,7 +10,15 @@ import streamlit as st
 
 from ramanujan import Oscillator, drawn_spacing
 from ramanujan.figures import EncodedFigure
-from ramanujan.figures.motion_page import Panel, TimeCurve, draw_panel, draw_phase_plane, round_up, step_range
+from ramanujan.figures.motion_page import (
+    FASTEST,
+    Panel,
+    TimeCurve,
+    draw_panel,
+    draw_phase_plane,
+    round_up,
+    step_range,
+)
 from ramanujan.figures.motion_page import is_flat as is_flat_plane
 from ramanujan.physics.record import Record
 from ramanujan.physics.record import record as take_record
@@ -128,12 +136,12 @@ def _displacements(motion: Record, colors: Mapping[str, str]) -> dict[str, Panel
 
 
 def draw_orbits(frame: str, motion: Record, colors: Mapping[str, str]) -> EncodedFigure:
-    """Draw the orbits of slab, block and top cylinder relative to the ground, or without the block relative to it."""
+    """Draw the orbits of the bodies relative to the ground, or without the block relative to it."""
     positions, velocities = relative_to(frame, motion)
-    bodies = [body for body in ("slab", "block", "top") if body in positions]
+    to_cm = _CM / motion.oscillator.natural_frequency
     return draw_phase_plane(
-        [_body_curve(body, _CM * positions[body], colors) for body in bodies],
-        [_CM * velocities[body] / motion.oscillator.natural_frequency for body in bodies],
+        _body_curves({body: _CM * x for body, x in positions.items()}, colors),
+        [to_cm * v for body, v in velocities.items() if body != "cylinder"],
         ranges=_ranges(frame, motion),
         period=motion.oscillator.period,
         periods=PERIODS,
@@ -156,17 +164,12 @@ def relative_to(frame: str, motion: Record) -> tuple[dict[str, np.ndarray], dict
 def _ranges(frame: str, motion: Record) -> tuple[tuple[float, float], tuple[float, float]]:
     """Return the ranges of the axes of displacement [cm] and velocity [cm/s] in a frame.
 
-    No initial velocity of the machine changes them relative to the block. Relative to the ground they are at least as
-    large, and without this velocity almost always the same, so that the frames are comparable.
+    No initial velocity of the machine changes them relative to the block.
     """
-    frames: Iterable[str] = FRAMES if frame == "ground" else ("block",)
-    displacements: list[np.ndarray] = []
-    velocities: list[np.ndarray] = []
-    for included in frames:
-        positions, rates = relative_to(included, motion)
-        displacements += [_CM * x for x in positions.values()]
-        velocities += [_CM * v / motion.oscillator.natural_frequency for v in rates.values()]
-    return step_range(displacements), step_range(velocities)
+    positions, velocities = relative_to(frame, motion)
+    fastest = max(float(abs(v).max()) for v in velocities.values()) / motion.oscillator.natural_frequency
+    highest = round_up(1.05 * _CM * fastest)
+    return step_range(_CM * x for x in positions.values()), (-highest, highest)
 
 
 def _energy(motion: Record, colors: Mapping[str, str]) -> dict[str, Panel]:
@@ -186,13 +189,14 @@ def _energy(motion: Record, colors: Mapping[str, str]) -> dict[str, Panel]:
 def _momentum(motion: Record, colors: Mapping[str, str]) -> dict[str, Panel]:
     """Return the momentum of each body, which oscillates, and the two conserved momenta, which are constant."""
     curves = _body_curves(motion.body_momenta, colors, width=1.5)
-    conserved = {
-        _("total: −<i>p</i><sub>X</sub>"): (-motion.momenta["p_X"], "ink", "solid"),
-        "<i>p</i><sub>Φ</sub><i>/R</i>": (motion.momenta["p_Phi"] / motion.oscillator.radius, "primary", "10px 6px"),
-    }
-    for name, (values, color, dash) in conserved.items():
-        curves.append(TimeCurve(name, values, colors[color], name, width=4, dash=dash, ink=colors[color]))
-    return {_("momentum"): _panel(_("momentum"), "kg·m/s", curves)}
+    # Without initial velocities both are zero. A thin dashed line on a wide pale one leaves both visible.
+    total, wide = _("total: −<i>p</i><sub>X</sub>"), "<i>p</i><sub>Φ</sub><i>/R</i>"
+    p_Phi_per_radius = motion.momenta["p_Phi"] / motion.oscillator.radius
+    primary, ink = colors["primary"], colors["ink"]
+    curves.append(TimeCurve(wide, p_Phi_per_radius, primary, wide, width=8, opacity=0.6, ink=primary))
+    curves.append(TimeCurve(total, -motion.momenta["p_X"], ink, total, dash="12px 6px", ink=ink))
+    panel = _panel(_("momentum"), "kg·m/s", curves)
+    return {_("momentum"): replace(panel, named_before_end=FASTEST)}
 
 
 def _contacts(motion: Record, colors: Mapping[str, str]) -> dict[str, Panel]:

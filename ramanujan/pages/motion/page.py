@@ -223,7 +223,7 @@ def draw_phase_plane(motion: Record, setting: cache.ReleaseParameters) -> None:
     if not display_mode.is_projector():
         figure = cache.phase_plane(address.current(PLANE), theme.current(), *setting)
         draw = partial(plots.draw_phase_plane, motion, address.current(PLANE), figure)
-        title = _("Phase plane: the velocity of each body over its displacement")
+        title = _("Phase plane: velocity over displacement")
         folded("phase_plane", title, draw, plots.explain_phase_plane)
         return
     with slide("phase_plane", _("Phase plane"), heading=_("Phase plane")):

@@ -99,14 +99,18 @@ def draw_phase_plane(motion: Record, frame: str, figure: EncodedFigure) -> None:
 
 
 def explain_phase_plane() -> None:
-    """Explain the phase plane, and what to look for in it."""
-    st.caption(
-        _(
-            "Each dot of this **phase plane** shows where a body is and how fast it moves. With the velocity divided "
-            "by Ω, an oscillation is a circle. Change $-\\dot X_0$: relative to the ground the curves open, relative "
-            "to the block they do not change."
+    """Explain the phase plane, and what to look for in it; on a slide only the latter."""
+    sentences = [
+        _("Change $-\\dot X_0$: relative to the ground the circles open, relative to the block they stay as they are.")
+    ]
+    if not is_projector():
+        how_to_read = _(
+            "Each dot of this **phase plane** shows where a body is and how fast it moves. Above zero it moves to the "
+            "right, below zero to the left, so the dots run clockwise. With the velocity divided by Ω, an oscillation "
+            "is a circle."
         )
-    )
+        sentences.insert(0, how_to_read)
+    st.caption(" ".join(sentences))
 
 
 def _drift(x: np.ndarray, motion: Record) -> float:
@@ -125,8 +129,8 @@ def draw_energy(motion: Record, figure: EncodedFigure) -> None:
     greatest = max(peaks, key=peaks.__getitem__)
     values = {"total": 1e3 * total[0], "body": PARTS[greatest], "share": peaks[greatest] / total[0]}
     finding = _(
-        "Spring and bodies exchange energy, but **the sum stays at {total:4 mJ}**. At most {share:2↑ %} of it is in "
-        "one body: {body}."
+        "Spring and bodies exchange energy, but **the sum stays at {total:4 mJ}**. Each body gets at most "
+        "{share:2↑ %} of it (largest share: {body})."
     )
     st.markdown(filled(finding, **values))
     alternative = _(
@@ -159,7 +163,7 @@ def draw_momentum(motion: Record, figure: EncodedFigure) -> None:
         sentence = _(
             "$-{p_X}$ is the momentum of the whole machine; $X$ is positive to the left, hence the minus sign. "
             "${p_Phi}$ is the angular momentum of the top cylinder about its line of contact with the block. "
-            "Change the initial velocities and watch both lines move."
+            "Without initial velocities both are 0. Change these velocities: the lines move, and stay flat."
         )
         st.caption(sentence.format(p_X=p_X_symbol, p_Phi=p_Phi_symbol))
 
