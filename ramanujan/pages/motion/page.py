@@ -60,10 +60,8 @@ def show() -> None:
             scene = st.container(key="without_dials")
         with words, st.container(key="settings"):
             contacts = st.container(key="friction_limit")
-            with st.container(key="initial_velocities"), choose_initial_velocities():
-                glide, spin = widgets.page_slider(GLIDE), widgets.page_slider(SPIN)
-                if not is_projector:
-                    plots.explain_zero_modes()
+            with st.container(key="initial_velocities"):
+                glide, spin = choose_initial_velocities()
     setting = (machine, compression, glide, spin)
     motion = cache.record(*setting)
     largest = largest_compression(machine, MU.in_si, spacing=motion.spacing)
@@ -79,13 +77,26 @@ def show() -> None:
             offer_files(motion, friction.coefficient)
 
 
-def choose_initial_velocities() -> AbstractContextManager[Any]:
-    """Return the fold of the initial velocities, open if the address contains one; no fold in the projector view."""
-    if display_mode.is_projector():
-        return nullcontext()
-    is_open = any(parameter.value for parameter in (GLIDE, SPIN))
-    title = _("Give the machine an initial velocity")
-    return display_mode.fold("velocities", title, expanded=is_open)
+def choose_initial_velocities() -> tuple[float, float]:
+    """Draw the sliders of the initial velocities, in a fold except in the projector view; return their values.
+
+    The fold is open where the momenta are drawn, and if the address contains an initial velocity.
+    """
+    moves_momenta = address.current(FIGURE) == "momentum"
+    line: AbstractContextManager[Any] = nullcontext()
+    if not display_mode.is_projector():
+        is_open = moves_momenta or any(parameter.value for parameter in (GLIDE, SPIN))
+        title = _("Give the machine an initial velocity")
+        line = display_mode.fold(f"velocities_{moves_momenta}", title, expanded=is_open)
+    with line:
+        left, right = st.columns(2)
+        with left:
+            glide = widgets.page_slider(GLIDE)
+        with right:
+            spin = widgets.page_slider(SPIN)
+        if not display_mode.is_projector():
+            plots.explain_zero_modes()
+    return glide, spin
 
 
 def choose_friction(verdict: str, sentence: str) -> None:

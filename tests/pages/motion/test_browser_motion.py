@@ -81,7 +81,7 @@ def check_cursor_by_keys(page):
     period = page.evaluate("document.querySelector('.js-plotly-plot').layout.meta.period")
     # A pixel is about a hundredth of a second.
     assert cursor_times(page) == [pytest.approx(0.3 * cache.PERIODS * period, abs=0.02)]
-    assert page.locator(MARK).count() == 1 + 3
+    assert page.locator(MARK).count() == 1 + 4
     slider.focus()
     page.keyboard.press("End")
     next_frame(page)
@@ -105,8 +105,9 @@ def check_orbit(page):
           });
         }"""
     )
-    # Released at rest: the slab at 8 cm, block and top cylinder at 0. A pixel is about 0.1 cm or 0.2 cm/s.
-    for place, expected in zip(places, ((8, 0), (0, 0), (0, 0)), strict=True):
+    # Released at rest: block and top cylinder at 0, the slab at 8 cm, the lower rollers half as far. A pixel is at most
+    # 0.1 cm.
+    for place, expected in zip(places, ((0, 0), (4, 0), (8, 0), (0, 0)), strict=True):
         assert place == pytest.approx(expected, abs=0.4)
 
 
@@ -222,11 +223,27 @@ def test_machine_and_graph_are_on_one_small_screen(visit):
     settle(page)
     page.evaluate("document.querySelector('[data-testid=stMain]').scrollTo(0, 0)")
     next_frame(page)
-    places = ("svg.machine", ".js-plotly-plot", ".st-key-fold_velocities")
+    places = ("svg.machine", ".js-plotly-plot", "[class*=st-key-fold_velocities]")
     machine, graph, settings = (page.locator(each).first.bounding_box() for each in places)
     assert machine["y"] + machine["height"] < graph["y"]
     assert graph["y"] + graph["height"] < settings["y"]
     assert graph["y"] + graph["height"] / 2 < 800
+
+
+def test_the_initial_velocities_are_beside_the_momenta_that_they_change(visit):
+    page = open_motion(visit, "?figure=momentum")
+    places = (".js-plotly-plot", ".st-key-glide", ".st-key-spin")
+    # On a phone, with the graph at the top, they are above the drawer.
+    for width, height, lowest in ((1280, 720, 720), (390, 844, 800)):
+        page.set_viewport_size({"width": width, "height": height})
+        settle(page)
+        if width == 390:
+            top = page.locator(".js-plotly-plot").bounding_box()["y"] - 60
+            page.evaluate("(top) => document.querySelector('[data-testid=stMain]').scrollBy(0, top)", top)
+            next_frame(page)
+        boxes = [page.locator(place).bounding_box() for place in places]
+        assert min(box["y"] for box in boxes) > 0
+        assert max(box["y"] + box["height"] for box in boxes) < lowest
 
 
 def check_edge(page):
