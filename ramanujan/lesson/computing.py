@@ -138,9 +138,12 @@ STOPS = (
         expect=_("Nearly everyone trusts the thousand steps. Ask where the additional energy comes from."),
         is_in_short_lesson=True,
         minutes=3,
-        runs=tuple(
-            Run(EQUAL, COMPRESSION, METHODS[method].title, samples=partial(sample_history, method))
-            for method in STEPS_PER_PERIOD
+        runs=(
+            Run(EQUAL, COMPRESSION, _("Exact motion")),
+            *(
+                Run(EQUAL, COMPRESSION, METHODS[method].title, samples=partial(sample_history, method))
+                for method in STEPS_PER_PERIOD
+            ),
         ),
         onward=Onward(_("Measure the methods on the page Speed and accuracy"), "speed", {"method": "explicit_euler"}),
     ),

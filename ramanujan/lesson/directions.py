@@ -12,26 +12,26 @@ _MIDDLE, _TURNING_POINT = 0.25, 0.5
 
 
 def _velocity_numbers() -> dict[str, float]:
-    """Return velocities and a momentum at three quarters of a period, when the slab moves to the right.
+    """Return velocities and a momentum at a quarter of a period, when the slab moves to the left.
 
     Returns
     -------
-    slab : velocity relative to the block, positive to the right [cm/s]
-    block : velocity relative to the ground, positive to the left [cm/s]
-    momentum : momentum of slab and lower rollers if the block were at rest [kg m/s]
+    slab : velocity relative to the block, positive to the left [cm/s]
+    block : velocity relative to the ground, positive to the right [cm/s]
+    momentum : momentum of slab and lower rollers to the left if the block were at rest [kg m/s]
     """
-    _q, q_dot = state_after(3 / 4)
-    slab = float(relative_velocities(EQUAL, q_dot)["slab"])
+    _q, q_dot = state_after(_MIDDLE)
+    slab = -float(relative_velocities(EQUAL, q_dot)["slab"])
     return {
         "slab": _CM * slab,
-        "block": -_CM * float(ground_velocities(EQUAL, q_dot)["block"]),
+        "block": _CM * float(ground_velocities(EQUAL, q_dot)["block"]),
         # The two lower rollers are half as fast as the slab.
         "momentum": (EQUAL.m + EQUAL.m_prime) * slab,
     }
 
 
 def _find_direction_of_block() -> str:
-    """Return the option for the block's direction while the slab moves to the right."""
+    """Return the option for the block's direction while the slab moves to the left."""
     velocities = _velocity_numbers()
     ratio = velocities["block"] / velocities["slab"]
     return choose_by_sign(ratio if abs(ratio) > 1e-3 else 0, "same", "rest", "opposite")
@@ -107,27 +107,27 @@ STOPS = (
         id="block",
         heading=_("Which way does the block move?"),
         question=_(
-            "The floor has no friction, and the machine starts at rest. At some later moment the slab moves to the "
-            "right relative to the block. Which way does the block move relative to the ground?"
+            "The floor has no friction, and the machine starts at rest. At first the slab moves to the left relative "
+            "to the block. Which way does the block move relative to the ground?"
         ),
         options=dict(
-            opposite=_("It moves to the left."), rest=_("It stays where it is."), same=_("It moves to the right.")
+            opposite=_("It moves to the right."), rest=_("It stays where it is."), same=_("It moves to the left.")
         ),
         replies={
             "rest": _(
-                "Then slab and lower rollers alone would carry a momentum of {momentum:2 kg·m/s} to the right. Which "
-                "body can carry as much to the left?"
+                "Then slab and lower rollers alone would carry a momentum of {momentum:2 kg·m/s} to the left. Which "
+                "body can carry as much to the right?"
             ),
             "same": _(
-                "Then every body would carry momentum to the right. At the release there was none. Which force from "
+                "Then every body would carry momentum to the left. At the release there was none. Which force from "
                 "outside could have changed that?"
             ),
         },
         answer=_find_direction_of_block,
         why=_(
             "The floor has no friction, so nothing outside pushes the machine to either side. Its momentum stays zero. "
-            "The slab moves right at {slab:3 cm/s} relative to the block, so the block moves left at {block:3 cm/s}. "
-            "The centre of mass stays where it is."
+            "When the spring is relaxed, the slab moves left at {slab:3 cm/s} relative to the block, so the block "
+            "moves right at {block:3 cm/s}. The centre of mass stays where it is."
         ),
         answer_numbers=_velocity_numbers,
         hints=(_("Which horizontal forces act on the machine as a whole?"),),

@@ -150,13 +150,13 @@ def expected_of_clocks() -> dict[str, str]:
 def expected_of_bodies() -> dict[str, str]:
     motion = release()
     start, end = motion.state(0), motion.state(motion.half_period)
-    back = motion.state(1.5 * motion.half_period)
-    assert back.phi_dot > 0, "the slab moves to the right, through the middle"
+    middle = motion.state(0.5 * motion.half_period)
+    assert middle.phi_dot < 0, "the slab moves to the left, through the middle"
     path_of_centres = abs((R * end.phi - end.X) - R * start.phi)
     spring_energy = 2 * K * (R * end.phi) ** 2
-    energies = kinetic(motion.state(motion.half_period / 2))
+    energies = kinetic(middle)
     return {
-        "block": option_if(back.X_dot > 0, "opposite"),  # X is positive to the left
+        "block": option_if(middle.X_dot < 0, "opposite"),  # X is positive to the left
         "rollers": option_if(path_of_centres < 0.1 * 0.08, "tenth"),
         "turning-point": option_if(math.isclose(spring_energy, K * 0.08**2 / 2, rel_tol=1e-6), "spring"),
         "middle": max(energies, key=energies.get),
