@@ -166,7 +166,7 @@ def draw_phase_plane(
     # With the constraint "range", each change of the window would widen the ranges further.
     centred = {**_zero_line(colors), "nticks": 7, "constrain": "domain"}
     scale = {"scaleanchor": "x", "constrain": "domain", "constraintoward": "top"}
-    title = _text_above(0, _("velocity <i>v</i>/Ω [cm]"), xref="x domain", xanchor="left", xshift=-32, yshift=5)
+    title = _text_above(0, _("velocity <i>v</i>/Ω [cm]"), xref="x domain", xanchor="left", xshift=-32, yshift=2)
     displacement_range, (low, high) = ranges
     # A long drift does not flatten the plane further than the height of its figure.
     margin = max(0.0, float(np.ptp(displacement_range)) / _FLATTEST - (high - low)) / 2
