@@ -13,6 +13,7 @@ from ramanujan import lesson
 from ramanujan.browser.components import keys, turn
 from ramanujan.classroom.rules import Phase
 from ramanujan.pages.classroom import desk, door, phone, wall
+from ramanujan.pages.classroom.shared_elements import last_sentence
 from ramanujan.pages.lesson import stops
 from ramanujan.shell import address, class_session, progress, sidebar, widgets
 from ramanujan.shell.display_mode import columns, is_projector, picture_and_words, slide
@@ -24,10 +25,10 @@ URL_PARAMETERS = (*progress.URL_PARAMETERS, *tasks.URL_PARAMETERS, *exercise.URL
 # Numbers of stops on a slide of the projector view: with their notes, and with their results.
 _NOTES_PER_SLIDE, _RESULTS_PER_SLIDE = 3, 9
 ENDING = _("What you have seen")
-# A style rule for the stops: no drawer of sliders, and no value of Ω²m/k, which the first stops have not yet explained.
+# A style rule without the drawer of sliders and the value of Ω²m/k, which the first stops have not yet explained.
 # In page.css it would need :has(), which is slow.
-_AT_STOPS = "<style>:root:root:root { --drawer: 0px; --drawer-content: none; --stage-readouts: none; }</style>"
-# The sizes of clock and machine at a stop with a slider below them. See _AT_STOPS.
+_WITHOUT_DRAWER = "<style>:root:root:root { --drawer: 0px; --drawer-content: none; --stage-readouts: none; }</style>"
+# The sizes of clock and machine at a stop with a slider below them. See _WITHOUT_DRAWER.
 _ABOVE_SLIDER = "<style>:root { @media (width >= 1000px) { --clock: 24vh; --picture: 36vh; } }</style>"
 _ONWARDS = {
     "oscillator": _("Look for the ratio in step yourself, on the page Oscillator"),
@@ -112,7 +113,7 @@ def read_prediction(stop: lesson.Stop) -> tuple[str | None, str]:
 
 def draw_stops(head: st.delta_generator.DeltaGenerator) -> None:
     """Draw the current stop or the end, and at the top the buttons that select another one."""
-    st.html(_AT_STOPS)
+    st.html(_WITHOUT_DRAWER)
     path = progress.list_stops()
     ids = [*(stop.id for stop in path), progress.END]
     number = ids.index(address.current(progress.STOP)) + 1
@@ -154,36 +155,45 @@ def select_stop(name: str) -> None:
 
 def draw_end(path: tuple[lesson.Stop, ...]) -> None:
     """Draw the end: the predictions and what happened, the number of the lesson, and where to go on."""
-    right, answered, rows = 0, 0, []
+    right, rows, unanswered = 0, [], []
     for stop in path:
         chosen, phase = progress.read_prediction(stop)
-        prediction, result = _("Not answered yet"), ""
-        if chosen and phase == progress.ANSWERED:
-            answered += 1
-            right += chosen == stop.right
-            prediction, result = stop.options[chosen], stop.options[stop.right]
-        if result and chosen == stop.right:
-            prediction = _(":green[:material/check_circle:] Right")
-        rows.append((f"**{stop.heading}**", prediction, result))
+        if not chosen or phase != progress.ANSWERED:
+            unanswered.append(stop)
+            continue
+        right += chosen == stop.right
+        prediction = _(":green[:material/check_circle:] Right") if chosen == stop.right else stop.options[chosen]
+        rows.append((f"**{stop.heading}**", prediction, stop.options[stop.right]))
     sentence = _("You answered {answered} of {stops} questions. Your prediction was right at {right} of them.")
     first = _RESULTS_PER_SLIDE if is_projector() else len(rows)
     results, onwards = (nullcontext(), nullcontext()) if is_projector() else st.columns([5, 3], gap="large")
     with results, slide("seen", ENDING):
         st.title(ENDING, anchor=False)
-        st.container(key="ending").markdown(sentence.format(answered=answered, stops=len(path), right=right))
-        draw_results(rows[:first], "seen")
+        st.container(key="ending").markdown(sentence.format(answered=len(rows), stops=len(path), right=right))
+        if rows:
+            draw_results(rows[:first], "seen")
+        if unanswered:
+            draw_unanswered(unanswered)
     if rows[first:]:
         with results, slide("seen_on", _("{heading}, continued").format(heading=ENDING)):
             draw_results(rows[first:], "seen_on")
     with onwards, slide("onwards", _("Where to go on")), st.container(key="onwards"):
         picture, words = picture_and_words()
         # A reader's own end does not reveal the answer to the question about the number.
-        if answered == len(path) or is_projector():
+        if not unanswered or is_projector():
             with picture:
                 st.markdown(cubes.reason())
                 cubes.draw_stacks(with_values=False)
         with words:
             draw_onwards()
+
+
+def draw_unanswered(unanswered: Sequence[lesson.Stop]) -> None:
+    """Draw a button for each stop without an answer, which selects it."""
+    st.markdown(_("Still open:"))
+    with st.container(horizontal=True, gap="xsmall", key="unanswered"):
+        for stop in unanswered:
+            st.button(stop.heading, key=f"open_{stop.id}", on_click=select_stop, args=(stop.id,))
 
 
 def draw_onwards() -> None:
@@ -210,18 +220,18 @@ def draw_task(head: st.delta_generator.DeltaGenerator) -> None:
 
 def draw_notes(_head: st.delta_generator.DeltaGenerator) -> None:
     """Draw the lecturer's notes, and the choice between all stops and a short lesson."""
+    st.html(_WITHOUT_DRAWER)
     # At the desk of a class the notes are open. A reader first gets a warning that they contain answers.
     label = _("Show the notes on all stops. They name the right answers.")
     with slide("notes", _("Lecturer’s notes")):
         _draw_introduction()
-        if not (class_session.lecturer_key() or st.toggle(label, key="notes_shown")):
-            return
+        shows_answers = bool(class_session.lecturer_key()) or st.toggle(label, key="notes_shown")
     with st.container(key="notes_list"):
         for start in range(0, len(lesson.STOPS), _NOTES_PER_SLIDE):
             group = lesson.STOPS[start : start + _NOTES_PER_SLIDE]
             with slide(f"notes_{start}", group[0].heading):
                 for number, stop in enumerate(group, start=start + 1):
-                    _draw_note(number, stop)
+                    _draw_note(number, stop, shows_answers)
         heading = _("Sources")
         with slide("sources", heading):
             sources = "\n".join(f"{number}. {source}" for number, source in enumerate(lesson.SOURCES, start=1))
@@ -244,10 +254,15 @@ def _draw_introduction() -> None:
         st.markdown(lesson.INTRODUCTION)
 
 
-def _draw_note(number: int, stop: lesson.Stop) -> None:
+def _draw_note(number: int, stop: lesson.Stop, shows_answer: bool) -> None:
+    """Draw the question of a stop, or the purpose of the stop and what to expect, with the right answer."""
     time = ngettext("{n} minute", "{n} minutes", stop.minutes).format(n=stop.minutes)
+    heading = f"##### {number}. {stop.heading} :small[({time})]"
+    if not shows_answer:
+        st.markdown(f"{heading}\n{last_sentence(stop.question)}")
+        return
     right = _("Right answer: {label}").format(label=stop.options[stop.right])
-    st.markdown(f"##### {number}. {stop.heading} :small[({time})]\n{stop.purpose} {stop.expect}  \n:small[{right}]")
+    st.markdown(f"{heading}\n{stop.purpose} {stop.expect}  \n:small[{right}]")
 
 
 if __name__ == "__main__":

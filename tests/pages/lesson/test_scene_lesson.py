@@ -244,8 +244,13 @@ def test_the_short_lesson_has_six_stops_and_an_end_with_the_answers(opened):
     assert "1729 = 1³" not in shown
     is_shown = [stop.options[stop.answer()] in shown for stop in short]
     assert is_shown == [True, True, False, False, False, False]
-    assert shown.count("Not answered yet") == 4
+    # A button leads to each question that is still open.
+    assert [button.label for button in app.button if button.key.startswith("open_")] == [
+        stop.heading for stop in short[2:]
+    ]
     assert len(app.get("page_link")) == 4
+    unbroken(app.button(key=f"open_{short[2].id}").click().run())
+    assert app.title[0].value == f"3. {short[2].heading}"
     every = "~".join(f"{stop.id}.{stop.answer()}" for stop in short)
     assert "1729 = 1³" in markdown(opened(stops="short", stop="end", chosen=every))
     unbroken(app.button(key="to_tasks").click().run())
