@@ -155,25 +155,32 @@ def select_stop(name: str) -> None:
 
 def draw_end(path: tuple[lesson.Stop, ...]) -> None:
     """Draw the end: the predictions and what happened, the number of the lesson, and where to go on."""
-    right, rows, unanswered = 0, [], []
+    rows, missed, unanswered = [], [], []
     for stop in path:
         chosen, phase = progress.read_prediction(stop)
         if not chosen or phase != progress.ANSWERED:
             unanswered.append(stop)
             continue
-        right += chosen == stop.right
-        prediction = _(":green[:material/check_circle:] Right") if chosen == stop.right else stop.options[chosen]
+        prediction = _(":green[:material/check_circle:] Right")
+        if chosen != stop.right:
+            missed.append(stop)
+            prediction = stop.options[chosen]
         rows.append((f"**{stop.heading}**", prediction, stop.options[stop.right]))
-    sentence = _("You answered {answered} of {stops} questions. Your prediction was right at {right} of them.")
+    sentence = _("You have not answered a question yet.")
+    if rows:
+        sentence = _("You answered {answered} of {stops} questions. Your prediction was right at {right} of them.")
+    numbers = {"answered": len(rows), "stops": len(path), "right": len(rows) - len(missed)}
     first = _RESULTS_PER_SLIDE if is_projector() else len(rows)
     results, onwards = (nullcontext(), nullcontext()) if is_projector() else st.columns([5, 3], gap="large")
     with results, slide("seen", ENDING):
         st.title(ENDING, anchor=False)
-        st.container(key="ending").markdown(sentence.format(answered=len(rows), stops=len(path), right=right))
+        st.container(key="ending").markdown(sentence.format(**numbers))
         if rows:
             draw_results(rows[:first], "seen")
+        if missed and not is_projector():
+            draw_links(_("Look at the reason again:"), missed, "missed")
         if unanswered:
-            draw_unanswered(unanswered)
+            draw_links(_("Still open:"), unanswered, "open")
     if rows[first:]:
         with results, slide("seen_on", _("{heading}, continued").format(heading=ENDING)):
             draw_results(rows[first:], "seen_on")
@@ -188,12 +195,12 @@ def draw_end(path: tuple[lesson.Stop, ...]) -> None:
             draw_onwards()
 
 
-def draw_unanswered(unanswered: Sequence[lesson.Stop]) -> None:
-    """Draw a button for each stop without an answer, which selects it."""
-    st.markdown(_("Still open:"))
-    with st.container(horizontal=True, gap="xsmall", key="unanswered"):
-        for stop in unanswered:
-            st.button(stop.heading, key=f"open_{stop.id}", on_click=select_stop, args=(stop.id,))
+def draw_links(title: str, chosen_stops: Sequence[lesson.Stop], key: str) -> None:
+    """Draw a button for each of some stops, which selects it, below a title."""
+    st.markdown(title)
+    with st.container(horizontal=True, gap="xsmall", key=f"{key}_stops"):
+        for stop in chosen_stops:
+            st.button(stop.heading, key=f"{key}_{stop.id}", on_click=select_stop, args=(stop.id,))
 
 
 def draw_onwards() -> None:
@@ -255,14 +262,13 @@ def _draw_introduction() -> None:
 
 
 def _draw_note(number: int, stop: lesson.Stop, shows_answer: bool) -> None:
-    """Draw the question of a stop, or the purpose of the stop and what to expect, with the right answer."""
+    """Draw the question of a stop, and on demand its purpose, what to expect, and the right answer."""
     time = ngettext("{n} minute", "{n} minutes", stop.minutes).format(n=stop.minutes)
-    heading = f"##### {number}. {stop.heading} :small[({time})]"
-    if not shows_answer:
-        st.markdown(f"{heading}\n{last_sentence(stop.question)}")
-        return
-    right = _("Right answer: {label}").format(label=stop.options[stop.right])
-    st.markdown(f"{heading}\n{stop.purpose} {stop.expect}  \n:small[{right}]")
+    lines = [f"##### {number}. {stop.heading} :small[({time})]", f"*{last_sentence(stop.question)}*"]
+    if shows_answer:
+        right = _("Right answer: {label}").format(label=stop.options[stop.right])
+        lines += [f"{stop.purpose} {stop.expect}", f"**{right}**"]
+    st.markdown("  \n".join(lines))
 
 
 if __name__ == "__main__":
