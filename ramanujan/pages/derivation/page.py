@@ -1,6 +1,5 @@
 """Page 2: the routes from the machine to Ω², its three modes, and questions with typed formulas."""
 
-from contextlib import nullcontext
 from dataclasses import dataclass, replace
 from typing import Any
 
@@ -296,7 +295,7 @@ def compare_routes() -> None:
     if not display_mode.is_projector():
         # The formula is at the top of the page.
         lines = lines[1:]
-    result, routes = columns("results") if not display_mode.is_projector() else (nullcontext(), nullcontext())
+    result, routes = columns("results")
     with result:
         with st.container(horizontal=True):
             for line in lines:

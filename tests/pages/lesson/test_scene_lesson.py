@@ -248,6 +248,8 @@ def test_the_short_lesson_has_six_stops_and_an_end_with_the_answers(opened):
     assert [button.label for button in app.button if button.key.startswith("open_")] == [
         stop.heading for stop in short[2:]
     ]
+    # Another leads back to the reason of each question with a wrong prediction.
+    assert [button.label for button in app.button if button.key.startswith("missed_")] == [second.heading]
     assert len(app.get("page_link")) == 4
     unbroken(app.button(key=f"open_{short[2].id}").click().run())
     assert app.title[0].value == f"3. {short[2].heading}"
