@@ -107,16 +107,6 @@ class EncodedFigure(BaseFigure):
         return f"EncodedFigure({len(self._sent['data'])} traces)"
 
 
-def legend() -> dict[str, Any]:
-    """Return the layout of a legend in rows above the panels.
-
-    It hangs from the top of the figure. Its place above the panels would depend on the margin that its rows need, and
-    Plotly would not move it when another width of the page changes their number.
-    """
-    place = {"orientation": "h", "x": 0, "y": 1, "yref": "container", "yanchor": "top", "tracegroupgap": 0}
-    return {"showlegend": True, "legend": place}
-
-
 def note(name: str, color: str | None, x: float, y: float) -> dict[str, Any]:
     """Return an annotation without an arrow, by default in the colour of the figure's text."""
     font = {"size": 13} | ({"color": color} if color else {})
@@ -174,8 +164,6 @@ _MARGIN_ABOVE, _MARGIN_WITH_WORDS = 24, 54
 
 Without a margin Plotly omits the uppermost tick label.
 """
-_NAMES_IN_ROW = 4
-"""The largest number of names in a row above a figure. On a slide, a longer legend is a column beside the figure."""
 _LETTER_SIZE = 26
 """The size of letters for Plotly's layout [px]; type.css does not change it, and projector.css sets 20 to 39 px."""
 
@@ -200,11 +188,6 @@ def enlarge_letters(figure: BaseFigure) -> EncodedFigure:
     # Plotly caches the width of a text by its size. A new size forces a new measurement after a switch to a projector.
     notes = [{**note, "font": {**note.get("font", {}), "size": _LETTER_SIZE}} for note in layout.get("annotations", ())]
     has_note_above = any(note.get("yref") == "paper" and note["y"] == 1 for note in notes)
-    legend_names = {trace["name"] for trace in sent["data"] if trace.get("name") and trace.get("showlegend", True)}
-    if "legend" in layout:
-        is_column = len(legend_names) > _NAMES_IN_ROW
-        place = {"orientation": "v", "tracegroupgap": 0, "maxheight": 1000} if is_column else layout["legend"]
-        layout["legend"] = {**place, "font": {"size": _LETTER_SIZE}}
     margin_above = _MARGIN_WITH_WORDS if has_note_above else _MARGIN_ABOVE
     layout |= {"annotations": notes, "margin": {**layout.get("margin", {}), "t": margin_above}}
     return EncodedFigure({**sent, "layout": layout})

@@ -46,8 +46,8 @@ FASTEST = 0.25
 class TimeCurve:
     """A curve against time, with its values at equal steps.
 
-    `name` appears in the hover text, and `label` in the colour `ink` at the end of the line or in the legend. Curves
-    that are `is_stacked` are filled and lie on top of each other.
+    `name` appears in the hover text, and `label` in the colour `ink` beside the curve. Curves that are
+    `is_stacked` are filled and lie on top of each other.
     """
 
     name: str
