@@ -273,6 +273,21 @@ def test_every_formula_fits_on_a_phone(window, file, engine):
 
 
 @pytest.mark.parametrize("engine", ["chromium"])
+def test_on_a_phone_the_reason_takes_the_place_of_the_question(window, file, engine):
+    """Nothing moves then, and the title stays uncovered."""
+    page = opened(window(390, 844), file.as_uri())
+    rows = "[...document.querySelectorAll('h1, .head, .st-key-story, .st-key-m_prime, .st-key-stage')]"
+    heights = f"{rows}.map((row) => row.getBoundingClientRect().top)"
+    before, question = page.evaluate(heights), page.locator(".question")
+    expect(question).to_be_visible()
+    page.evaluate(TYPE, ["m_prime", repr(UNIT_MASS_RATIO)])
+    expect(page.get_by_text("Hardy’s taxi")).to_be_visible()
+    expect(question).to_be_hidden()
+    assert page.evaluate(heights) == before
+    page.locator("h1").click(trial=True)  # fails if something covers the title
+
+
+@pytest.mark.parametrize("engine", ["chromium"])
 def test_without_scripts_the_file_shows_still_pictures(browsers, file, engine):
     context = new_context(browsers(engine), java_script_enabled=False)
     page = context.new_page()
