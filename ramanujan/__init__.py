@@ -69,4 +69,4 @@ from ramanujan.physics.motion import (
     released,
     with_initial_velocities,
 )
-from ramanujan.physics.oscillator import Oscillator, drawn_spacing
+from ramanujan.physics.oscillator import Oscillator, drawn_edges, drawn_spacing

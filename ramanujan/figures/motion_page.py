@@ -38,6 +38,8 @@ _LINE_HEIGHT, _PLANE_LINE_HEIGHT, _FLAT_LINE_HEIGHT = 0.095, 0.13, 0.16
 """The height of a line of a name on a slide, in fractions of the plotting area, of a phase plane, and of a flat one."""
 _LONGEST_NAME, _NARROW_NAME = 17, 11
 """The largest number of letters of a name in one line, and beside a phase plane, which needs the width itself."""
+_Marks = tuple[list[dict[str, Any]], list[dict[str, Any]]]
+"""Annotations and shapes."""
 FASTEST = 0.25
 """The time before the end of a whole period at which a body that was released at rest is fastest [periods]."""
 
@@ -84,7 +86,9 @@ class Panel:
     named_before_end: float = 0.0
 
 
-def draw_panel(panel: Panel, *, period: float, periods: int, colors: Mapping[str, str]) -> EncodedFigure:
+def draw_panel(
+    panel: Panel, *, period: float, periods: int, edge: float | None, colors: Mapping[str, str]
+) -> EncodedFigure:
     """Draw curves over a time axis that starts at release.
 
     Each line has its name at its end, and each stacked area in the area or above it.
@@ -94,12 +98,13 @@ def draw_panel(panel: Panel, *, period: float, periods: int, colors: Mapping[str
     panel : every curve has its values at the same n equal steps from 0 to periods · period
     period : of the machine [s]; a line marks the end of the first period
     periods : number of periods on the time axis, at least one
+    edge : the time at which the top cylinder is at an edge of the block [s], or None. Its line replaces that of the
+        period, and what follows is faint.
     colors : ink, faint and paper
     """
     end = period * periods
     traces = [_trace(curve, panel.unit, end) for curve in panel.curves]
-    notes = [_text_above(period, _("one period"), font={"size": 12})]
-    shapes = [_vertical_line(period, {"color": colors["ink"], "width": 1, "dash": "dot"}, layer="below")]
+    notes, shapes = _mark_time(period, _("one period"), colors) if edge is None else _mark_edge(edge, end, colors)
     title = _("{quantity} [{unit}]").format(quantity=panel.title, unit=panel.unit)
     axes: dict[str, Any] = {"yaxis": _axis(title, panel.range, nticks=6, **_zero_line(colors))}
     if panel.curves[0].is_stacked:
@@ -281,6 +286,22 @@ def _vertical_line(x: float, line: dict[str, Any], **more: Any) -> dict[str, Any
 def _text_above(x: float, text: str, **more: Any) -> dict[str, Any]:
     """Return words above the panels at x."""
     return {"x": x, "y": 1, "yref": "paper", "yanchor": "bottom", "text": text, "showarrow": False, **more}
+
+
+def _mark_edge(edge: float, end: float, colors: Mapping[str, str]) -> _Marks:
+    """Return the mark of the time at which the top cylinder is at the edge, and a veil over all later times."""
+    notes, shapes = _mark_time(
+        edge, _("top cylinder at the edge"), colors, xanchor="left" if edge < end / 2 else "right"
+    )
+    ends = {"x0": edge, "x1": end, "y0": 0, "y1": 1, "yref": "y domain"}
+    veil = {"type": "rect", **ends, "fillcolor": colors["paper"], "opacity": 0.75, "line": {"width": 0}}
+    return notes, [veil, *shapes]
+
+
+def _mark_time(time: float, text: str, colors: Mapping[str, str], **more: Any) -> _Marks:
+    """Return words above a time, and a dotted line below them."""
+    line = _vertical_line(time, {"color": colors["ink"], "width": 1, "dash": "dot"}, layer="below")
+    return [_text_above(time, text, font={"size": 12}, **more)], [line]
 
 
 def _name_stack(panel: Panel, end: float, colors: Mapping[str, str]) -> list[dict[str, Any]]:

@@ -36,6 +36,9 @@ SPACING_PER_RADIUS = 2.4
 SPACING_GAP = 0.05
 """Constant b [m] in `drawn_spacing`, L = aR + b."""
 
+EDGE_GAPS = 0.025, 0.045
+"""Constants [m] of the left and the right edge in `drawn_edges`."""
+
 
 def drawn_spacing(radius: float) -> float:
     """Return L = 2.4R + 5 cm, the distance between the axes of hoop and lower cylinder in every picture.
@@ -61,6 +64,31 @@ def drawn_spacing(radius: float) -> float:
     0.29
     """
     return SPACING_PER_RADIUS * positive("radius", radius) + SPACING_GAP
+
+
+def drawn_edges(radius: float, largest: float) -> tuple[float, float]:
+    """Return the edges of the block's upper step in every picture, measured from the top cylinder's axis at release.
+
+    Parameters
+    ----------
+    radius : R, radius of the rollers [m]
+    largest : the largest compression that the picture has room for [m]
+
+    Returns
+    -------
+    the left edge, negative, and the right edge [m]
+
+    Raises
+    ------
+    ValueError : a parameter is not a finite positive number.
+
+    Source: chosen for the pictures; the paper does not specify the length of the step.
+
+    >>> [round(edge, 3) for edge in drawn_edges(0.1, 0.12)]
+    [-0.185, 0.145]
+    """
+    R, (left, right) = positive("radius", radius), EDGE_GAPS
+    return -(R + positive("largest", largest) / 2 + left), R + right
 
 
 @dataclass(frozen=True)

@@ -30,8 +30,8 @@ export function layout({ radius }, { compression: [, largest], radius: widest })
   const slab = { left: hoop - roll - 4, right: cylinder + roll + 4, bottom: deck + 2 * R };
   const riser = slab.right + travel + 8;
   const upper = slab.bottom + thick + step;
-  const top = riser + R + roll + gap;
-  const right = top + R + gap + 2;
+  const top = riser - FORMULAS.edge.left({ radius, compression: largest }) * CM;
+  const right = top + FORMULAS.edge.right({ radius }) * CM;
   const shelf = upper + R * 0.45; // the top of the bench for the plain mass
   const bottom = -Math.max(8.5, 3.5 + R / 2); // room for the ruler's numbers, which grow with the picture
   const own = fitView({ left: -9, right: right + travel + 2, bottom, top: Math.max(upper + 2 * R + 3, shelf + 14) });

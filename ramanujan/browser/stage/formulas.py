@@ -10,7 +10,7 @@ from ramanujan.derivation.model import Machine, R, k, m, m_prime, machine, phi, 
 from ramanujan.derivation.newton import CONTACTS, contact_forces, spring_forces
 from ramanujan.derivation.printers import plain_text
 from ramanujan.derivation.solution import coefficients
-from ramanujan.physics.oscillator import SPACING_GAP, SPACING_PER_RADIUS
+from ramanujan.physics.oscillator import EDGE_GAPS, SPACING_GAP, SPACING_PER_RADIUS
 from ramanujan.text.names import BODIES
 
 SHAPE_FACTORS = {"hoop": float(model.HOOP), "cylinder": float(model.SOLID_CYLINDER), "top": float(model.SOLID_CYLINDER)}
@@ -24,7 +24,8 @@ def collect_formulas() -> dict[str, Any]:
     frequency_squared = eliminate(general_machine).natural_frequency_squared
     Omega = sp.Symbol("Omega", positive=True)
     # Exact fractions of the decimals in the source text, such as 1/4 for 0.25.
-    per_radius, gap = (sp.Rational(str(number)) for number in (SPACING_PER_RADIUS, SPACING_GAP))
+    lengths = (SPACING_PER_RADIUS, SPACING_GAP, *EDGE_GAPS)
+    per_radius, gap, left, right = (sp.Rational(str(length)) for length in lengths)
     # φ has no drift, so φ̈ = −Ω²φ at all times.
     oscillation = {phi.diff(t, 2): -(Omega**2) * phi}
     total = sum(body.mass for body in general_machine.bodies)
@@ -40,6 +41,7 @@ def collect_formulas() -> dict[str, Any]:
             for q, parts in coefficients(general_machine).items()
         },
         "spacing": per_radius * R + gap,
+        "edge": {"left": -(R + compression / 2 + left), "right": R + right},
         "deformation": general_machine.deformation,
         "released_angle": sp.solve(general_machine.deformation - compression, general_machine["hoop"].angle)[0],
         "mass": {body.name: body.mass for body in general_machine.bodies},

@@ -3,12 +3,13 @@
 import math
 from collections.abc import Callable, Mapping
 from dataclasses import replace
+from functools import partial
 from typing import Any
 
 import numpy as np
 import streamlit as st
 
-from ramanujan import Oscillator, drawn_spacing
+from ramanujan import Oscillator, drawn_edges, drawn_spacing
 from ramanujan.figures import EncodedFigure
 from ramanujan.figures.motion_page import (
     FASTEST,
@@ -22,7 +23,7 @@ from ramanujan.figures.motion_page import (
 from ramanujan.figures.motion_page import is_flat as is_flat_plane
 from ramanujan.physics.record import Record
 from ramanujan.physics.record import record as take_record
-from ramanujan.shell import theme
+from ramanujan.shell import stages, theme
 from ramanujan.text.names import CONTACTS as CONTACT_NAMES
 from ramanujan.text.names import PARTS
 from ramanujan.text.translation import _
@@ -107,8 +108,22 @@ def draw_over_time(
     panels = VIEWS[view](motion, colors)
     if limit:
         panels[FRICTION] = _with_limit(panels[FRICTION], motion, *limit)
-    period = motion.oscillator.period
-    return {title: draw_panel(panel, period=period, periods=PERIODS, colors=colors) for title, panel in panels.items()}
+    draw = partial(draw_panel, period=motion.oscillator.period, periods=PERIODS, edge=edge_time(motion), colors=colors)
+    return {title: draw(panel) for title, panel in panels.items()}
+
+
+def edge_time(motion: Record) -> float | None:
+    """Return the time at which the top cylinder reaches an edge of the block [s], or None if it stays between them."""
+    last = _last_on_block(motion)
+    return None if last == len(motion.t) - 1 else float(motion.t[last])
+
+
+def _last_on_block(motion: Record) -> int:
+    """Return the index of the last time before the top cylinder is beyond an edge of the block."""
+    left, right = drawn_edges(motion.oscillator.radius, stages.LIMITS[1])
+    x = motion.relative_positions["top"]
+    is_beyond = np.append((x < left) | (x > right), True)
+    return int(is_beyond.argmax()) - 1
 
 
 @st.cache_resource(show_spinner=False, max_entries=64)
@@ -137,7 +152,7 @@ def _displacements(motion: Record, colors: Mapping[str, str]) -> dict[str, Panel
 
 def draw_orbits(frame: str, motion: Record, colors: Mapping[str, str]) -> EncodedFigure:
     """Draw the orbits of the bodies relative to the ground, or without the block relative to it."""
-    positions, velocities = relative_to(frame, motion)
+    positions, velocities = _orbits(frame, motion)
     to_cm = _CM / motion.oscillator.natural_frequency
     return draw_phase_plane(
         _body_curves({body: _CM * x for body, x in positions.items()}, colors),
@@ -161,12 +176,19 @@ def relative_to(frame: str, motion: Record) -> tuple[dict[str, np.ndarray], dict
     return motion.relative_positions, motion.relative_velocities
 
 
+def _orbits(frame: str, motion: Record) -> tuple[dict[str, np.ndarray], dict[str, np.ndarray]]:
+    """Return the same without the motion of the top cylinder beyond an edge of the block: its orbit ends there."""
+    positions, velocities = relative_to(frame, motion)
+    steps = np.minimum(np.arange(len(motion.t)), _last_on_block(motion))
+    return positions | {"top": positions["top"][steps]}, velocities | {"top": velocities["top"][steps]}
+
+
 def _ranges(frame: str, motion: Record) -> tuple[tuple[float, float], tuple[float, float]]:
     """Return the ranges of the axes of displacement [cm] and velocity [cm/s] in a frame.
 
     No initial velocity of the machine changes them relative to the block.
     """
-    positions, velocities = relative_to(frame, motion)
+    positions, velocities = _orbits(frame, motion)
     fastest = max(float(abs(v).max()) for v in velocities.values()) / motion.oscillator.natural_frequency
     highest = round_up(1.05 * _CM * fastest)
     return step_range(_CM * x for x in positions.values()), (-highest, highest)

@@ -72,8 +72,16 @@ def draw_displacements(motion: Record, figure: EncodedFigure, name: str, frame: 
     farthest = {body: 100 * float(abs(x - x[0]).max()) for body, x in positions.items()}
     distances = list_values(PARTS, farthest, "cm")
     draw_chart(figure, name, " ".join(alternative).format(frame=cache.FRAMES[frame], distances=distances))
-    sentences = [_("Zero is each body’s place before the compression.")]
-    if block or top:
+    edge = cache.edge_time(motion)
+    # A slide has room for one of the two sentences.
+    is_short = is_projector() and edge is not None
+    sentences = [] if is_short else [_("Zero is each body’s place before the compression.")]
+    if edge is not None:
+        end = _(
+            "After {time:2 s} the top cylinder reaches the block’s edge. The faint curves would need a longer block."
+        )
+        sentences.append(filled(end, time=edge))
+    elif block or top:
         drift = _(
             "After whole periods only this drift is left: {block:3 cm/s} for the block, {top:3 cm/s} for the top "
             "cylinder relative to it."

@@ -255,6 +255,9 @@ def check_edge(page):
     assert "The picture stops there" in inside(page, "root.querySelector('.note').textContent")
     end = float(slider.input_value())
     assert 0.1 < end < 0.9
+    # The core's mark in the figure is at the moment at which the picture stops.
+    marked = "({ layout: { shapes: [veil], xaxis } }) => veil.x0 / xaxis.range[1]"
+    assert page.locator(".js-plotly-plot").first.evaluate(marked) == pytest.approx(end, abs=0.005)
     places = "['.top', '.block'].map((name) => root.querySelector('.moving ' + name).transform.baseVal[0].matrix.e)"
     top, block = inside(page, places)
     place = top - block
