@@ -77,7 +77,7 @@ STOPS = (
         why=_(
             "After ten periods of the plain mass the machine’s hand is {turns:2} of a full turn ahead. All bodies "
             "together have a mass of {total:1 kg}, but the spring feels only {shown.effective_mass:3 kg}. Block and "
-            "slab move in opposite directions. The centres of the lower rollers hardly move at all."
+            "slab move in opposite directions."
         ),
         question_numbers={"total": _TOTAL, "ratio": _TOTAL / EQUAL.m},
         answer_numbers=lambda: {

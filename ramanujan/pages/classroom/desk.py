@@ -19,12 +19,14 @@ from ramanujan.text.translation import _
 
 DESK_INTERVAL = 2.0
 """Interval at which the desk reads the state of the class [s]."""
+_CODE_WIDTH = 300
+"""Width of the QR code [px], so that its popover fits a window of 720 px."""
 _CODE_PLACE = '<div style="aspect-ratio: 1"></div>'
 """The place of a QR code, so that the browser finds room for the popover before it has the code."""
 _LAST_STOP = "class_seen"
 """Session state: the stop of the class that this desk last read."""
-FOOT = "<style>:root { --foot: 3.5rem; @media (width >= 1000px) { --stage-picture: 34vh; } }</style>"
-"""The heights of the desk’s last line and of its picture. In page.css they would need :has(), which is slow."""
+FOOT = "<style>:root { --foot: 3.5rem; @media (width >= 1000px) { --stage-picture: 34vh; --stage-dial: 27vh } }</style>"
+"""The heights of the desk’s last line, picture and clock. In page.css they would need :has(), which is slow."""
 ENDED = "class_ended"
 """Session state: whether the desk has ended its class, and the first page of the lesson confirms it."""
 
@@ -249,10 +251,11 @@ def _draw_foot(key: str, code: str, view: ClassView) -> None:
     label = _("Open the desk on your phone")
     with st.popover(label, key="class_second_desk", type="tertiary", on_change="rerun") as second_desk:
         st.markdown(_("Scan this with your own phone. Whoever has this picture leads the class."))
-        if second_desk.open:
-            shared_elements.draw_qr_code(address.link_for_others({"class": code, "lecturer": key}).geturl())
-        else:
-            st.html(_CODE_PLACE)
+        with st.container(width=_CODE_WIDTH):
+            if second_desk.open:
+                shared_elements.draw_qr_code(address.link_for_others({"class": code, "lecturer": key}).geturl())
+            else:
+                st.html(_CODE_PLACE)
     with st.popover(_("Manage the seats"), key="class_seats", type="tertiary", on_change="rerun") as seats:
         _manage_seats(key, view, is_open=bool(seats.open))
     _draw_ending(key, view)

@@ -282,6 +282,15 @@ def answers_sentence(view: ClassView) -> str:
     return " ".join((_("Second vote."), sentence)) if view.current.vote.is_second else sentence
 
 
+def votes_sentence(code: str, stop: str, vote: Vote) -> str:
+    """Return the number of votes behind the percentages of a revealed question, as a sentence."""
+    try:
+        votes = _result(code, stop, vote).votes[-1]
+    except ClassError as error:
+        return str(error)
+    return ngettext("{n} vote", "{n} votes", votes.total()).format(n=votes.total())
+
+
 def joined_sentence(people: int) -> str:
     """Return the number of students who joined, as a sentence."""
     return ngettext("{n} student has joined.", "{n} students have joined.", people).format(n=people)

@@ -156,6 +156,8 @@ def _follow_class(code: str) -> None:
         elif current.stop != END:
             if current.reached == Phase.ASKED:
                 st.markdown(f"**{shared_elements.answers_sentence(view)}**", width="content")
+            else:
+                st.markdown(shared_elements.votes_sentence(code, current.stop, current.vote), width="content")
             url = address.link_for_others({})
             st.text(f"{url.netloc}{url.path}  ·  {format_code(code)}", width="content")
 

@@ -225,6 +225,7 @@ def check_result(screens: Screens, stop: lesson.Stop, votes: Counter) -> None:
     total = screens.students
     shares = [f"{round(100 * votes[option] / total)}\u202f%" for option in stop.options]
     expect(screens.wall.locator(f"{OPTIONS} strong")).to_have_text(shares)
+    expect(screens.wall.locator(".st-key-class_wall_foot")).to_contain_text(f"{total} votes")
     screens.press(".st-key-class_solve")
     screens.wall.locator("svg.machine .body.slab").first.wait_for()
     expect(screens.wall.locator(".listen:visible")).to_have_count(int(stop.shows_dials))
