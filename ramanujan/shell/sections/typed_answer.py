@@ -47,9 +47,24 @@ def draw_section() -> None:
     judge_typed(name)
     draw_question(name)
     solved = [question for question in QUESTIONS if is_solved(question)]
+    following = find_unsolved(name)
+    if name in solved and following:
+        label = _("Next: {title}").format(title=find_title(following))
+        st.button(label, key="next_question", type="primary", on_click=_choose, args=(following,))
     if solved:
         st.markdown(_("**Solved so far: {n} of {all}**").format(n=len(solved), all=len(QUESTIONS)))
         st.markdown("\n".join(f"- :green[:material/check_circle:] {find_title(question)}" for question in solved))
+
+
+def find_unsolved(name: str) -> str | None:
+    """Return the first unsolved question after a question; after the last one, begin again. None if all are solved."""
+    names = list(QUESTIONS)
+    place = names.index(name) + 1
+    return next((question for question in names[place:] + names[:place] if not is_solved(question)), None)
+
+
+def _choose(name: str) -> None:
+    st.session_state[QUESTION.name] = name
 
 
 def find_title(name: str) -> str:

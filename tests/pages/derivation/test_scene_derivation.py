@@ -204,6 +204,19 @@ def test_each_kind_of_verdict_has_its_box(page):
     assert answer(page, ask, "k/").error
 
 
+def test_a_right_answer_leads_to_an_unsolved_question(page):
+    """After the last question, begin again with the first one."""
+    right = {"natural_frequency_squared": "8k(7m+6m')/(32m^2+49m m'+18m'^2)", "unit_mass_ratio": "(sqrt(1729)-1)/36"}
+    following = []
+    for question, text in right.items():
+        answer(page, question, "k/m")
+        assert "next_question" not in {button.key for button in page.button}
+        answer(page, question, text)
+        sound(page.button(key="next_question").click().run())
+        following.append(page.session_state["question"])
+    assert following == ["unit_quadratic", "kinetic_energy_block"]
+
+
 def test_every_question_can_be_asked(page):
     for question in QUESTIONS:
         choose(page, question=question)
