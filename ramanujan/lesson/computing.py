@@ -42,10 +42,19 @@ def final_energy_ratio(method: str) -> float:
 
 
 def sample_history(method: str) -> dict[str, object]:
-    """Return every nth state of the computed motion for the stage, and the number of states per period."""
+    """Return every nth state of the computed motion for the stage with its energy, and their number per period."""
+    history = compute_history(method)
     steps_per_sample = max(STEPS_PER_PERIOD[method] // _SAMPLES_PER_PERIOD, 1)
-    q = compute_history(method).q[::steps_per_sample]
-    return {"per_period": STEPS_PER_PERIOD[method] // steps_per_sample, "q": q.round(5).tolist()}
+    return {
+        "per_period": STEPS_PER_PERIOD[method] // steps_per_sample,
+        "q": history.q[::steps_per_sample].round(5).tolist(),
+        "energies": (1 + history.energy_error[::steps_per_sample]).round(4).tolist(),
+    }
+
+
+def largest_energy() -> float:
+    """Return the largest energy in the two runs as a multiple of the initial energy."""
+    return 1 + max(float(compute_history(method).energy_error.max()) for method in STEPS_PER_PERIOD)
 
 
 def _find_worse_method() -> str:
@@ -118,7 +127,7 @@ STOPS = (
         replies={
             "verlet": _(
                 "Its energy is off by {off:1 %}, and in the first run the energy is {grown:2} times as large as at the "
-                "release. Which method makes the same error in every step?"
+                "release. Which method errs in the same direction in every step?"
             ),
             "both": _(
                 "At the end the first run has {grown:2} times the energy of the release, the second {kept:3} times. In "
@@ -127,10 +136,9 @@ STOPS = (
         },
         answer=_find_worse_method,
         why=_(
-            "After {periods} periods explicit Euler has multiplied the energy by {grown:2}, although it takes {many} "
-            "steps per period. Velocity Verlet takes {few}, and its energy is off by {off:1 %}. Explicit Euler adds "
-            "energy in every step. Velocity Verlet preserves areas in the phase plane, so its energy error stays "
-            "bounded. It is not exact either: its phase error has grown to {turns:2} of a full turn."
+            "Watch the bars. Explicit Euler adds energy in every step. After {periods} periods it has {grown:2} times "
+            "the energy, with {many} steps per period. Velocity Verlet preserves areas in the phase plane, so its "
+            "energy error stays bounded: {off:1 %}, with {few} steps. But its phase is off by {turns:2} of a full turn."
         ),
         answer_numbers=_error_numbers,
         hints=(_("Does a method that is slightly wrong in every step err in the same direction each time?"),),
@@ -139,12 +147,19 @@ STOPS = (
         is_in_short_lesson=True,
         minutes=3,
         runs=(
-            Run(EQUAL, COMPRESSION, _("Exact motion")),
+            Run(EQUAL, COMPRESSION, _("Exact motion"), most_energy=largest_energy),
             *(
-                Run(EQUAL, COMPRESSION, METHODS[method].title, samples=partial(sample_history, method))
+                Run(
+                    EQUAL,
+                    COMPRESSION,
+                    METHODS[method].title,
+                    samples=partial(sample_history, method),
+                    most_energy=largest_energy,
+                )
                 for method in STEPS_PER_PERIOD
             ),
         ),
+        layers=("energy",),
         onward=Onward(_("Measure the methods on the page Speed and accuracy"), "speed", {"method": "explicit_euler"}),
     ),
     Stop(

@@ -42,7 +42,8 @@ class Run:
     compression : x₀ at release [m]
     label : the caption of a machine that does not follow the sliders, such as one of several side by side
     bodies : left roller, right roller and top body, names in `number_theory.BODIES`
-    samples : returns a computed motion that replaces the exact one: per_period and q
+    samples : returns a computed motion that replaces the exact one: per_period, q and energies
+    most_energy : returns the energy of a full bar of energies, in multiples of that at release
     slipping : whether the stage marks the slipping contact
     initial : the state at release; by default at rest with the spring compressed by x₀
     """
@@ -52,6 +53,7 @@ class Run:
     label: str = ""
     bodies: tuple[str, str, str] = ("hoop", "cylinder", "cylinder")
     samples: Callable[[], Mapping[str, object]] | None = None
+    most_energy: Callable[[], float] | None = None
     slipping: bool = False
     initial: InitialState | None = None
 

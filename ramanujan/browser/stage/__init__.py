@@ -45,8 +45,10 @@ The message, published at every change; all but the first entry are optional:
 
     parameters   m, m_prime [kg], k [N/m], radius, compression [m], beta_hoop, beta_cylinder, beta_top
     initial      X, phi, Phi [m, rad, rad] and X_dot, phi_dot, Phi_dot at release; default: released at rest
-    samples      q = φ/φ₀ at equal steps, per_period of them in a period; they replace the exact motion of a machine
-                 released at rest
+    samples      q = φ/φ₀ at equal steps, per_period of them in a period, and the energies there in multiples of that
+                 at release; they replace the exact motion of a machine released at rest
+    most_energy  the energy of a full bar of energies, in multiples of that at release, which then has a mark; default:
+                 the bar is always full
     computed     samples drawn as an outline over the exact motion, with these items:
                  run_name, the method and its steps per period;
                  evaluations, their number after each period, as text;
@@ -110,6 +112,7 @@ def payload(
     slipping: str | None = None,
     forces: tuple[str, ...] | None = None,
     held: bool | None = None,
+    most_energy: float | None = None,
     velocities: bool | None = None,
     views: Mapping[str, Mapping[str, Any]] | None = None,
 ) -> dict[str, Any]:
@@ -123,6 +126,7 @@ def payload(
     compression : x₀ [m]
     initial : the state at release; default: at rest with the spring compressed by x₀
     shape_factors : β of the rollers hoop, cylinder, top; it determines their look and their motion
+    most_energy : the energy of a full bar of energies, in multiples of that at release; default: the present energy
     samples, computed : a computed motion; `samples` replaces the exact one, `computed` is an outline over it
     slipping : the contact to mark, such as hoop_slab
     forces : the contacts, or "spring", whose forces are drawn strongly; the others are drawn faintly. All forces then
@@ -139,6 +143,7 @@ def payload(
         "slipping": slipping,
         "forces": forces,
         "held": held,
+        "most_energy": most_energy,
         "velocities": velocities,
         "views": views,
     }

@@ -113,7 +113,7 @@ export function makeLayers(root) {
     }
   }
 
-  function frame(known, shift, writesText) {
+  function frame(known, shift, energy, writesText) {
     if (isLayered || showsRolling()) measure?.();
     const origin = frameValue(FORMULAS.displacement, known, seenFrom);
     if (shown.has("traces")) set(find(".traces"), { transform: `translate(${(origin - shift) * CM})` });
@@ -122,7 +122,7 @@ export function makeLayers(root) {
     if (showsRolling()) drawRolling(known, shift);
     if (shown.has("forces") || data.forces) drawForces(known, shift);
     if (shown.has("coordinates")) drawCoordinates(find(".coordinates"), known, place, shift);
-    if (shown.has("energy")) drawEnergy(known, writesText);
+    if (shown.has("energy")) drawEnergy(known, energy, writesText);
   }
 
   /** Draw arrows to scale from the places before the compression. Relative to the block, these move with it. */
@@ -211,11 +211,13 @@ export function makeLayers(root) {
     letter.parentNode.classList.toggle("faint", !data.forces.includes(force));
   }
 
-  function drawEnergy(known, writesShares) {
+  /** Draw the shares of the energy, in a full bar, or in a bar with a mark at the energy of the release. */
+  function drawEnergy(known, multiple, writesShares) {
     const energies = [...BODIES.map((name) => FORMULAS.kinetic_energy[name](known)), FORMULAS.potential_energy(known)];
     const total = energies.reduce((sum, energy) => sum + energy, 0) || 1;
+    const length = data.most_energy ? multiple / data.most_energy : 1;
     energies.forEach((energy, i) => {
-      bars[i].style.width = `${(100 * energy) / total}%`;
+      bars[i].style.width = `${(100 * length * energy) / total}%`;
       if (writesShares) shares[i].textContent = withUnit(fixed(Math.round((100 * energy) / total), 0), "%");
     });
   }
@@ -228,6 +230,8 @@ export function makeLayers(root) {
     if (data.forces) setVisible(find(".forces"), true);
     if (data.velocities) setVisible(find(".arrows"), true);
     find(".machine").classList.toggle("lettered", Boolean(data.forces));
+    find(".energy").classList.toggle("marked", Boolean(data.most_energy));
+    find(".released").style.marginLeft = `${100 / data.most_energy}%`;
     setVisible(find(".rolling"), showsRolling());
     find(".machine").classList.toggle("from-block", seenFrom === "block");
     // Both keys have the same place.

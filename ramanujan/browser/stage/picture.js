@@ -102,7 +102,7 @@ export function makePicture(root, { compact, dials, narrow, limits, label, rest_
     });
     if (shift * CM !== shifted) slideFloor(svg, (shifted = shift * CM), floorShown);
     if (playback.computed) drawComputed(known, playback, shift);
-    layers.frame(known, shift, writesText);
+    layers.frame(known, shift, playback.energy, writesText);
     dial.frame(playback, writesText);
   }
 

@@ -61,6 +61,11 @@ export class Playback {
     return TURN * between(this.computed.turns, clamp(this.phase / this.end, 0, 1));
   }
 
+  /** The present energy, in multiples of that at release. */
+  get energy() {
+    return this.samples?.energies ? between(this.samples.energies, clamp(this.phase / this.end, 0, 1)) : 1;
+  }
+
   /** The present state. */
   now() {
     return this.at(this.phase);

@@ -332,6 +332,7 @@ def make_payload(run: Run, machine: Oscillator, compression: float, running: boo
         initial=run.initial,
         shape_factors={place: float(BODIES[body]) for place, body in zip(_PLACES, run.bodies, strict=True)},
         samples=run.samples() if run.samples and running else None,
+        most_energy=run.most_energy() if run.most_energy and running else None,
         slipping=slipping,
     )
 

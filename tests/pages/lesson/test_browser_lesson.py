@@ -65,6 +65,7 @@ def test_a_student_takes_the_lesson_and_a_link_preserves_the_place(visit):
     assert other.locator("strong", has_text="Your prediction was right.").is_visible()
     check_machines(visit("lesson?stop=zero-modes&chosen=zero-modes.two", within=other))
     check_stopwatch(visit("lesson?part=tasks&task=period", within=other))
+    check_energies(visit("lesson?stop=steps&chosen=steps.euler", motion="no-preference"))
     # The ending is not a stop.
     assert counted(visit("lesson?stop=end", within=other)) == ["✓", "What you have seen"]
 
@@ -170,6 +171,17 @@ def check_machines(page) -> None:
     sizes = {(picture.bounding_box()["width"], *picture.get_attribute("viewBox").split()[2:]) for picture in pictures}
     assert len(pictures) == 2
     assert len(sizes) == 1
+
+
+def check_energies(page) -> None:
+    """Check that the exact energy ends at the mark of the release, and that explicit Euler's goes beyond it."""
+    bars = page.locator(".st-key-observed-several-3 .energy")
+    expect(bars).to_have_count(3)
+    exact, euler, _verlet = bars.all()
+    beyond = """(energy) => energy.querySelector('.bar i:last-child').getBoundingClientRect().right
+      - energy.querySelector('.released').getBoundingClientRect().left"""
+    page.wait_for_function(f"(energy) => ({beyond})(energy) > 3", arg=euler.element_handle())
+    assert exact.evaluate(beyond) == pytest.approx(0, abs=1)
 
 
 def check_stopwatch(page) -> None:

@@ -7,6 +7,7 @@ import pytest
 
 from ramanujan import UNIT_MASS_RATIO, lesson
 from ramanujan.browser import stage
+from ramanujan.lesson import computing
 from ramanujan.pages.classroom.shared_elements import add_letters
 from ramanujan.pages.used_by_shell import ENTRIES
 from tests.checks.scenes import sent, unbroken
@@ -174,6 +175,13 @@ def test_the_observed_machines_are_those_of_the_stop(opened):
     exact, euler, verlet = stage_payloads(app)
     assert "samples" not in exact
     assert len(euler["samples"]["q"]) > len(verlet["samples"]["q"]) == 201
+    for run, method in ((euler, "explicit_euler"), (verlet, "velocity_verlet")):
+        energies = run["samples"]["energies"]
+        assert len(energies) == len(run["samples"]["q"])
+        assert energies[-1] == pytest.approx(computing.final_energy_ratio(method), abs=1e-4)
+    # The bars of all three machines have one scale, and the largest energy fills its bar.
+    for each in (exact, euler, verlet):
+        assert each["most_energy"] == pytest.approx(max(euler["samples"]["energies"]), abs=1e-4)
     app = opened(stop="contact", chosen="contact.top_block")
     assert stage_payloads(app)[0]["slipping"] == "hoop_slab"
     app = opened(stop="other-body", chosen="other-body.same")
