@@ -137,8 +137,8 @@ def draw_energy(motion: Record, figure: EncodedFigure) -> None:
     greatest = max(peaks, key=peaks.__getitem__)
     values = {"total": 1e3 * total[0], "body": PARTS[greatest], "share": peaks[greatest] / total[0]}
     finding = _(
-        "Spring and bodies exchange energy, but **the sum stays at {total:4 mJ}**. Each body gets at most "
-        "{share:2↑ %} of it (largest share: {body})."
+        "Spring and bodies exchange energy, but **the sum stays at {total:4 mJ}**. The {body} gets up to {share:2↑ %} "
+        "of it, more than any other body."
     )
     st.markdown(filled(finding, **values))
     alternative = _(
@@ -215,8 +215,8 @@ def explain_friction() -> None:
     """Explain the bars of the required friction."""
     st.caption(
         _(
-            "A contact does not slip while its friction stays below μ times its normal force. The bars show the least "
-            "μ that this takes at the worst instant."
+            "The bars show the least μ that each contact needs at the worst instant. Below the slab it grows faster "
+            "than x₀, because the slab’s weight shifts between its rollers."
         )
     )
 
