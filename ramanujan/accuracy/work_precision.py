@@ -31,6 +31,9 @@ PERIODS = 30
 
 DTYPES = ("float64", "float32")
 
+LARGEST_ERROR = 0.5
+"""The largest error of a run: an angle does not count whole turns [turns]."""
+
 _LARGEST_AMPLITUDE = 2.0
 """Largest amplitude of a meaningful run, relative to the exact one."""
 
@@ -161,7 +164,7 @@ def measure_closed_form() -> ClosedForm:
 def _turns_between(computed: np.ndarray, exact: np.ndarray) -> np.ndarray:
     """Return the angles between states s = q − iv in turns; ½ where the computed amplitude is too large or NaN."""
     turns = abs(np.angle(computed * exact.conj())) / (2 * np.pi)
-    return np.where(abs(computed) <= _LARGEST_AMPLITUDE, turns, 0.5)
+    return np.where(abs(computed) <= _LARGEST_AMPLITUDE, turns, LARGEST_ERROR)
 
 
 def diagram_curve(method: str, dtype: str = "float64") -> WorkPrecision:

@@ -1,6 +1,6 @@
 """Tasks with an answer to type or to choose: a time, a measurement, a formula, a method, three bodies."""
 
-from ramanujan.accuracy.work_precision import PERIODS, diagram_curve, find_cheapest_runs
+from ramanujan.accuracy.work_precision import LARGEST_ERROR, PERIODS, diagram_curve, find_cheapest_runs
 from ramanujan.answers import judge as judge_formula
 from ramanujan.lesson.stop import FREQUENCY, state_after
 from ramanujan.lesson.task import Attempt, Task, TaskVerdict, compare_with_goal, miss_goal
@@ -68,14 +68,15 @@ def judge_cheapest(attempt: Attempt) -> TaskVerdict:
     """Judge a method and its number of steps: the error first, then the cost."""
     run = diagram_curve(attempt.method).select(attempt.steps)
     if run.error > WITHIN:
-        return miss_goal(
-            _(
-                "The computed machine is up to {error:2↑} of a turn away from the exact one. At most {goal:1↑} is "
-                "allowed."
-            ),
-            error=run.error,
-            goal=WITHIN,
+        sentence = _(
+            "The computed machine is up to {error:2↑} of a turn away from the exact one. At most {goal:1↑} is allowed."
         )
+        if round(run.error, 2) >= LARGEST_ERROR:
+            sentence = _(
+                "The computed machine is at least half a turn off, or swings more than twice as far. At most {goal:1↑} "
+                "of a turn is allowed."
+            )
+        return miss_goal(sentence, error=run.error, goal=WITHIN)
     sentences = (
         _("It stays within {error:2↑} of a turn. No method here needs fewer than {cost} evaluations of the force."),
         _("It stays within {error:2↑} of a turn. But {cost} evaluations are {times:3} times as many as necessary."),

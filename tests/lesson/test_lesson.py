@@ -460,6 +460,9 @@ def test_verdict_contains_the_distance_from_the_goal():
     assert "0.5" in sentence("half-energy", part=0.12) or "%" in sentence("half-energy", part=0.12)
     # 54 % of x₀ against 50 %.
     assert "7.7\u202f% farther" in sentence("half-way")
+    # An angle counts no whole turns, so an error of more than half a turn has no number.
+    assert "at least half a turn off" in sentence("cheapest", method="explicit_euler", steps=30)
+    assert "up to 0.13 of a turn" in sentence("cheapest", method="velocity_verlet", steps=20)
 
 
 DIRECTIONS = {r"\bapart\b": 1, r"\b(towards|together|meet)\b": -1}

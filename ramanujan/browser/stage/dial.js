@@ -12,7 +12,7 @@ const VISIBLE = 0.01; // turns, the smallest visible angle between the hands
 const IN_STEP = VISIBLE / 1e6; // turns per period: no visible difference even after a million periods
 const NEARLY = 1 / 400; // turns per period: about a step of the slider of m′ to each side
 const DRIFT_PERIODS = 3; // the arrow spans the angle that the machine's hand gains in this number of periods
-const LEAST_DEGREES = 0.1; // the least angle of a computed machine that is a number in its sentence
+const LEAST_TURNS = 0.001; // the least angle of a computed machine that is a number in its sentence
 const LONGEST = 0.96, HEAD = 0.045; // turns: the longest arrow, and the head of any but the shortest
 
 /** The drift [turns per period of the plain mass]: what the machine's hand gains on the other, exactly 0 in step. */
@@ -40,13 +40,11 @@ function leadSentence({ phase, plainPhase, periods, solution }) {
   return fill(WORDS[isInStep ? `stays_${side}` : side], { turns: fixed(distance, 2) });
 }
 
-/** Return a sentence about the angle by which the computed machine is ahead: in degrees, or in turns beyond one. */
+/** Return a sentence about the angle by which the computed machine is ahead, in turns like the error allowed. */
 function computedSentence(lead) {
-  const turns = Math.abs(lead) / TURN, degrees = 360 * turns;
-  if (degrees < LEAST_DEGREES) return fill(WORDS.computed_agrees, { least: fixed(LEAST_DEGREES, 1) });
-  const unit = turns < 1 ? "degrees" : "turns";
-  const values = { degrees: fixed(degrees, degrees < 10 ? 1 : 0), turns: fixed(turns, 2) };
-  return fill(WORDS[`computed_${unit}_${lead > 0 ? "ahead" : "behind"}`], values);
+  const turns = Math.abs(lead) / TURN;
+  if (turns < LEAST_TURNS) return fill(WORDS.computed_agrees, { least: fixed(LEAST_TURNS, 3) });
+  return fill(WORDS[`computed_${lead > 0 ? "ahead" : "behind"}`], { turns: fixed(turns, turns < 0.1 ? 3 : 2) });
 }
 
 /** Return the number of periods in which the machine gains or loses one full turn, as text. */

@@ -108,7 +108,7 @@ def draw_diagram(by: str, tolerance: float) -> str:
     diagram = figures.draw_work_precision(
         {METHODS[curve.method].title: downsampling.costs(curve, by) for curve in curves},
         chosen=chosen,
-        titles=(_COST_TITLES[by], _("largest error [turns]")),
+        titles=(_COST_TITLES[by], _("largest error [turns], at most ½")),
         limits=_LIMITS,
         tolerance=tolerance,
         marked_runs=marked_runs,
@@ -129,8 +129,9 @@ def explain_measurement() -> None:
     )
     st.markdown(sentence.format(periods=PERIODS))
     sentence = _(
-        "The error is the largest one in these periods. If the amplitude more than doubles, the run counts as half a "
-        "turn off. Each time is the median of repeated runs on this server."
+        "The error is the largest angle between the hands, so it is at most half a turn; *Race* also counts whole "
+        "turns. If the amplitude more than doubles, the run counts as half a turn off. Each time is the median of "
+        "repeated runs on this server."
     )
     st.markdown(f"{sentence} {verdicts.describe_closed_form(cache.closed_form())}")
     st.button(_("Measure again"), key="measure", icon=":material/timer:", on_click=_forget_measurement)

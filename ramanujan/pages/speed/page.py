@@ -183,8 +183,8 @@ def _describe_error(run: SampledRun) -> str:
     if not (math.isfinite(run.phase_at_end) and math.isfinite(worst)):
         sentence = _("{method}: the energy has grown beyond the largest floating-point number.")
         return sentence.format(method=METHODS[run.method].title)
-    sentence = _("{method}: phase error {phase:2 rad}, relative energy error up to {energy:2↑}.")
-    return filled(sentence, method=METHODS[run.method].title, phase=abs(run.phase_at_end), energy=worst)
+    sentence = _("{method}: phase error {turns:2} turns, relative energy error up to {energy:2↑}.")
+    return filled(sentence, method=METHODS[run.method].title, turns=abs(run.phase_at_end) / math.tau, energy=worst)
 
 
 if __name__ == "__main__":

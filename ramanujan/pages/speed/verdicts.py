@@ -118,15 +118,15 @@ def describe_errors(run: SampledRun) -> str:
 
 
 def _describe_phase(error: float) -> str:
-    """Describe the phase error [rad] at the end of a run, in turns and in radians."""
+    """Describe the phase error [rad] at the end of a run, in turns."""
     turns = abs(error) / math.tau
     off = _("{turns} full turns") if turns > 1 else _("{turns} of a full turn")
     if error > 0:
         # TRANSLATORS: {off} is 3 full turns, or 0.2 of a full turn.
-        sentence = _("At the end the computed machine is **{off} ahead** ({phase}\u202frad).")
+        sentence = _("At the end the computed machine is **{off} ahead**.")
     else:
-        sentence = _("At the end the computed machine is **{off} behind** ({phase}\u202frad).")
-    return sentence.format(off=off.format(turns=number(turns)), phase=number(abs(error)))
+        sentence = _("At the end the computed machine is **{off} behind**.")
+    return sentence.format(off=off.format(turns=number(turns)))
 
 
 def recommend_run(choices: Sequence[Run], tolerance: float, by: str) -> str:

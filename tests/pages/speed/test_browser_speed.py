@@ -37,7 +37,7 @@ def test_a_run_is_drawn_no_control_is_cut_and_the_diagram_is_measured(visit):
     assert float(hand.removeprefix("rotate(").removesuffix(")")) == pytest.approx(lead, abs=0.01)
     assert page.locator(".st-key-stage_race .hand.plain").get_attribute("transform") == "rotate(0)"
     dial = page.locator(".st-key-stage_race .verdict")
-    assert dial.text_content() == f"The computed machine is {lead:.0f}° ahead."
+    assert dial.text_content() == f"The computed machine is {lead / 360:.2f} turns ahead."
     # Without reduced motion, the run is shown before its verdict.
     page.emulate_media(reduced_motion="no-preference")
     run.click()
