@@ -23,8 +23,8 @@ from ramanujan.physics.oscillator import Oscillator
 STEPS_PER_PERIOD = tuple(range(3, 193))
 """All numbers of steps per period. With fewer than 3, a step is half a turn or more."""
 
-SHOWN_STEPS: tuple[int, ...] = tuple(int(n) for n in np.rint(np.geomspace(6, 192, 12)))
-"""The numbers of steps per period that a diagram shows."""
+_FEWEST_SHOWN_STEPS, _MOST_SHOWN_EVALUATIONS = 6, 768
+"""The first and the last run of each line in a diagram: steps per period, and evaluations per period."""
 
 PERIODS = 30
 """Duration of the runs in the diagram."""
@@ -180,6 +180,22 @@ def diagram_curve(method: str, dtype: str = "float64") -> WorkPrecision:
 @cache
 def _diagram_curve(method: str, dtype: str) -> WorkPrecision:
     return work_precision(method, dtype)
+
+
+def diagram_line(method: str) -> WorkPrecision:
+    """Return the line of a method in a diagram: some of its runs over `PERIODS`. It is computed once.
+
+    The lines of all methods end at the same number of evaluations, so their names fit at their ends.
+    """
+    with _COMPUTING:
+        return _diagram_line(method)
+
+
+@cache
+def _diagram_line(method: str) -> WorkPrecision:
+    most_steps = _MOST_SHOWN_EVALUATIONS // METHODS[method].evaluations
+    steps = np.rint(np.geomspace(_FEWEST_SHOWN_STEPS, most_steps, 12)).astype(int)
+    return work_precision(method, steps_per_period=steps.tolist())
 
 
 def _bracket_time_steps(steps: np.ndarray, dtype: str) -> np.ndarray:

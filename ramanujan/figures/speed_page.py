@@ -1,6 +1,7 @@
 """The figures of the speed page: growth of errors, work–precision diagram, and phase errors."""
 
-from collections.abc import Iterable, Mapping, Sequence
+import math
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
@@ -15,12 +16,10 @@ _NAMED = "<extra>%{fullData.name}</extra>"
 """The second hover box of Plotly, with the name of the curve."""
 _AFTER = _("after {periods} periods: {error}")
 _MARGIN = {"l": 60, "r": 28, "t": 12, "b": 48}
-_STRONG, _GRAY = 4.0, 1.0
+_STRONG, _GRAY = 4.0, 2.0
 """The widths of the line of the chosen method, and of the other methods [px]."""
 _SYMBOL = 7
 """The size of the symbol of a method [px]."""
-_SYMBOL_OF_GRAY = 4
-"""The size of the symbols along a gray line of many marks [px]."""
 _LONGEST_NAME = 18
 """The largest number of letters of a name in one line at the right edge."""
 _LINE_HEIGHT = 0.08
@@ -153,6 +152,7 @@ def draw_work_precision(
     tolerance: float,
     marked_runs: Mapping[str, MarkedRun],
     tried: Sequence[tuple[float, float]] = (),
+    write_cost: Callable[[float], str] = number,
     colors: Colors,
 ) -> EncodedFigure:
     """Draw error against cost, both logarithmic.
@@ -166,6 +166,7 @@ def draw_work_precision(
     tolerance : the largest error allowed
     marked_runs : name → a run with a large mark
     tried : cost and error of runs with a small mark
+    write_cost : a function that formats a cost
     colors : the theme's
     """
     hover = _("cost {cost}, error {error}").format(cost="%{customdata[0]}", error="%{customdata[1]}") + _NAMED
@@ -175,9 +176,8 @@ def draw_work_precision(
         costs += [costs_of_method[0], costs_of_method[-1]]
     ends = min(costs), max(costs)
     line_ends = {name: (cost[-1], error[-1]) for name, (cost, error, _steps) in curves.items()}
-    symbols = dict(zip(curves, logarithmic.SYMBOLS, strict=False))
-    traces = _method_curves(curves, chosen, limits, symbols, hover, colors)
-    leaders, names = _name_lines(line_ends, chosen, ends[1], limits, symbols, colors)
+    traces = _method_curves(curves, chosen, limits, hover, colors)
+    leaders, names = _name_lines(line_ends, chosen, ends[1], limits, {}, colors)
     traces += leaders
     traces.append(level_line(ends, tolerance, _("error allowed"), colors))
     for cost, error in tried:
@@ -198,10 +198,10 @@ def draw_work_precision(
         if run.is_named:
             text = note(name, colors[run.color], np.log10(run.cost), np.log10(height))
             notes.append(text | {"xanchor": "left", "yanchor": "bottom", "xshift": run.size / 2})
-    # No run is both cheap and accurate, so the left end of the band is free. The closed form may be in its corner.
-    level = float(np.clip(tolerance / 10, limits[0], 10 * limits[0]))
-    band = _shade_allowed(tolerance, limits, (ends[0], level), colors)
-    notes += band["annotations"]
+    # No run is both cheap and accurate, so the left end of the band is free.
+    band = _shade_allowed(tolerance, limits, (ends[0], tolerance), colors)
+    [name_of_band] = band["annotations"]
+    notes.append(name_of_band | {"text": _("allowed"), "yanchor": "top", "yshift": -8})
     x_range = float(np.log10(ends[0])) - 0.1, float(np.log10(ends[1])) + 0.11
     return build_figure(
         traces,
@@ -210,17 +210,27 @@ def draw_work_precision(
         margin=_MARGIN,
         annotations=notes,
         shapes=band["shapes"],
-        xaxis=axis(titles[0], x_range, type="log", dtick=1),
-        yaxis=log_axis(titles[1], limits),
+        xaxis=axis(titles[0], x_range, type="log", **_decades(ends, write_cost)),
+        yaxis=axis(titles[1], np.log10(limits).tolist(), type="log", **_decades(limits, _write_power)),
         yaxis2=names,
     )
+
+
+def _decades(ends: tuple[float, float], write: Callable[[float], str]) -> dict[str, Any]:
+    """Return the ticks of a logarithmic axis at the powers of ten, written as in the sentences of the page."""
+    first, last = math.ceil(math.log10(ends[0])), math.floor(math.log10(ends[1]))
+    values = [10.0**power for power in range(first, last + 1)]
+    return {"tickvals": values, "ticktext": [write(value) for value in values]}
+
+
+def _write_power(value: float) -> str:
+    return number(value, 1)
 
 
 def _method_curves(
     curves: Mapping[str, CurveArrays],
     chosen: str | None,
     limits: tuple[float, float],
-    symbols: Mapping[str, str],
     hover: str,
     colors: Colors,
 ) -> list[dict[str, Any]]:
@@ -230,8 +240,6 @@ def _method_curves(
         look = {"color": colors["primary"], "width": _STRONG} if name == chosen else _gray(colors)
         curve = line(cost.astype(np.float32), select_drawable(error, limits[1]), **look)
         properties: dict[str, Any] = {
-            "mode": "lines+markers",
-            "marker": {"symbol": symbols[name], "size": _SYMBOL if name == chosen else _SYMBOL_OF_GRAY},
             "name": name,
             "text": [_describe_steps(int(n)) for n in steps],
             "hovertemplate": f"%{{text}}<br>{hover}",

@@ -13,7 +13,7 @@ The language determines the decimal mark. `sentences.js` applies the same rules 
 import math
 import re
 import string
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from decimal import ROUND_CEILING, ROUND_FLOOR, Decimal
 from numbers import Integral
 from typing import Any
@@ -36,6 +36,7 @@ _POWERS_WITHOUT_EXPONENT = range(-4, 6)
 """A number is written without a power of ten if its leading digit has one of these powers."""
 
 _UNITS_OF_TIME = ((1.0, "s"), (1e-3, "ms"), (1e-6, "µs"), (1e-9, "ns"))
+_UNITS_OF_LENGTH = ((1e-2, "cm"), (1e-3, "mm"), (1e-6, "µm"), (1e-9, "nm"))
 
 Number = float | int | Decimal
 
@@ -164,9 +165,23 @@ def duration(seconds: float) -> str:
     >>> duration(2.5e-5)
     '25\\u202fµs'
     """
-    reached = [(size, unit) for size, unit in _UNITS_OF_TIME if seconds >= size]
-    size, unit = reached[0] if reached else _UNITS_OF_TIME[-1]
-    return quantity(seconds / size, unit)
+    return _in_largest_unit(seconds, _UNITS_OF_TIME, number)
+
+
+def length(metres: float) -> str:
+    """Return an upper bound of a length in cm, mm, µm or nm.
+
+    >>> length(0.0062), length(5e-9)
+    ('6.2\\u202fmm', '5.0\\u202fnm')
+    """
+    return _in_largest_unit(metres, _UNITS_OF_LENGTH, at_most)
+
+
+def _in_largest_unit(value: float, units: Sequence[tuple[float, str]], write: Callable[[Number], str]) -> str:
+    """Return a value in the largest of its units that it reaches, or in the smallest unit."""
+    reached = [(size, unit) for size, unit in units if value >= size]
+    size, unit = reached[0] if reached else units[-1]
+    return with_unit(write(value / size), unit)
 
 
 def in_latex(decimal: str) -> str:

@@ -25,6 +25,7 @@ from ramanujan.accuracy.work_precision import (
     ClosedForm,
     WorkPrecision,
     diagram_curve,
+    diagram_line,
     measure_closed_form,
 )
 from ramanujan.pages.speed import downsampling
@@ -34,7 +35,7 @@ from ramanujan.shell.shared_cache import responsive
 from ramanujan.text.translation import _
 
 _CURVES = [(method, dtype) for dtype in DTYPES for method in METHODS]
-"""The curves of the work-precision diagram."""
+"""The methods and precisions that are compared."""
 
 _MEASURING = threading.Lock()
 """Lock of the time measurements, because two simultaneous measurements would disturb each other."""
@@ -55,6 +56,7 @@ def run(method: str, steps: int) -> SampledRun:
 def parts_of_diagram() -> list[Callable[[], object]]:
     """Return functions without arguments that fill the caches of the diagram part by part."""
     parts: list[Callable[[], object]] = [partial(_compute_curve, *curve) for curve in _CURVES]
+    parts += [partial(_compute_line, method) for method in METHODS]
     parts += [partial(_step_seconds, *curve) for curve in _CURVES]
     return [*parts, closed_form]
 
@@ -64,9 +66,19 @@ def _compute_curve(method: str, dtype: str) -> None:
         diagram_curve(method, dtype)
 
 
+def _compute_line(method: str) -> None:
+    with responsive():
+        diagram_line(method)
+
+
 def diagram() -> list[WorkPrecision]:
-    """Return the curves of the work-precision diagram, with the last measured times."""
+    """Return all runs of each method in each precision, with the last measured times."""
     return [replace(diagram_curve(*curve), step_seconds=_step_seconds(*curve)) for curve in _CURVES]
+
+
+def diagram_lines() -> list[WorkPrecision]:
+    """Return the line of each method in the work-precision diagram, with the last measured times."""
+    return [replace(diagram_line(method), step_seconds=_step_seconds(method, "float64")) for method in METHODS]
 
 
 def _step_seconds(method: str, dtype: str) -> float:

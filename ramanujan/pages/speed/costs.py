@@ -1,32 +1,36 @@
 """The section of page 5 on the cost of accuracy, which is measured on this server."""
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable
 
 import streamlit as st
 
 from ramanujan.accuracy.work_precision import PERIODS, Run, WorkPrecision, find_cheapest_runs
 from ramanujan.browser.containers import container
 from ramanujan.figures import speed_page as figures
-from ramanujan.pages.speed import cache, challenge, downsampling, verdicts
+from ramanujan.pages.speed import cache, challenge, verdicts
 from ramanujan.physics.integrators import METHODS
-from ramanujan.shell import address, drawings, theme, widgets
+from ramanujan.shell import address, drawings, sidebar, theme, widgets
 from ramanujan.shell.display_mode import is_projector
 from ramanujan.text.numerals import duration, number
 from ramanujan.text.translation import _
 
 COST = address.Choice("cost", {"evaluations": _("evaluations"), "seconds": _("seconds")}, "evaluations")
-TOLERANCE = address.Choice("tolerance", {f"1e-{n}": number(10.0**-n, 1) for n in range(1, 11)}, "1e-2")
-_COST_TITLES = {"evaluations": _("evaluations of the force"), "seconds": _("seconds on this server")}
+TOLERANCE = address.Choice("tolerance", {f"1e-{n}": number(10.0**-n, 1) for n in range(1, 9)}, "1e-2")
+_QUESTION = _("Smaller steps cost more and err less: which method is the cheapest?")
+"""The sentence above the diagram during its first measurement. The result replaces it."""
+_COST_TITLES = {"evaluations": _("evaluations of the force"), "seconds": _("time on this server")}
 _HOW_TO_READ = {
     "evaluations": _(
-        "The cheapest method is the first to reach the dashed line, at the ring. The number below is its cost."
+        "Each line is a method; further right, its steps are smaller. The first line to reach the dashed one, at the "
+        "ring, is the cheapest. One evaluation computes the force of the spring once."
     ),
     "seconds": _(
-        "The fastest method is the first to reach the dashed line, at the ring. The number below is its time."
+        "Each line is a method; further right, its steps are smaller. The first line to reach the dashed one, at the "
+        "ring, is the fastest."
     ),
 }
-_LIMITS = 5e-11, 1.0
-"""The limits of the error axis, which contain the errors of all runs in the diagram [turns]."""
+_LIMITS = 1e-9, 1.0
+"""The limits of the error axis, which contain the errors of all lines in the diagram [turns]."""
 
 _COMPLETE = "speed_complete"
 """Session state: whether the diagram is complete."""
@@ -36,22 +40,30 @@ def draw_costs() -> Callable[[], None]:
     """Draw the fast part of the section; return a function that measures and draws the diagram."""
     if is_projector():
         st.header(_("What accuracy costs"), anchor=False)
-        figure, controls = st.columns([2, 1], gap="medium")
+    finding = st.container(key="topic_price").empty()
+    if is_projector():
+        figure, controls = st.columns([5, 2], gap="medium")
     else:
         # On a phone the diagram is above its controls, on a wide page beside them.
         row = container("columns", "costs")
         controls, figure = row.container(key="cost_controls"), row.container(key="place_costs")
     with controls:
         tolerance = float(widgets.select_slider(TOLERANCE, _("Largest error allowed [turns]")))
+        st.caption(verdicts.describe_tolerance(tolerance, sidebar.compression()))
         by = widgets.segmented_control(COST, _("Cost"))
-        st.markdown(_HOW_TO_READ[by])
-        finding = st.empty()
+        if not is_projector():
+            st.markdown(_HOW_TO_READ[by])
+        attempt = st.container()
 
     def measure_and_draw() -> None:
+        if not st.session_state.get(_COMPLETE):
+            finding.markdown(_QUESTION)
         with figure:
             measure()
-            sentence = draw_diagram(by, tolerance)
-        finding.markdown(sentence)
+            finding.markdown(draw_diagram(by, tolerance))
+        runs = find_tried_runs()
+        if runs:
+            attempt.markdown(verdicts.describe_tried_run(runs[-1], tolerance))
 
     return measure_and_draw
 
@@ -81,15 +93,14 @@ def draw_diagram(by: str, tolerance: float) -> str:
     by : kind of cost, an option of `COST`
     tolerance : error that the visitor allows [turns]
     """
-    # The diagram has the numbers of the app, float64. The table also lists float32.
-    curves = [curve for curve in cache.diagram() if curve.dtype == "float64"]
     closed = cache.closed_form()
-    ranked = find_cheapest_runs(curves, tolerance, by)
+    ranked = find_cheapest_runs(_select_double_precision(), tolerance, by)
     sentence = verdicts.recommend_run(ranked, tolerance, by)
     marked_runs = {}
+    write_cost = number if by == "evaluations" else duration
     if ranked:
         best = ranked[0]
-        text = number(best.evaluations) if by == "evaluations" else duration(best.seconds)
+        text = write_cost(getattr(best, by))
         marked_runs[_("cheapest")] = figures.MarkedRun(
             cost=getattr(best, by), error=best.error, symbol="circle-open", size=22, color="primary", cost_text=text
         )
@@ -97,22 +108,25 @@ def draw_diagram(by: str, tolerance: float) -> str:
         marked_runs[_("closed form")] = figures.MarkedRun(
             cost=closed.seconds, error=closed.error, symbol="star", size=15, color="ink", is_named=True
         )
-    tried = find_tried_runs(curves)
+    tried = find_tried_runs()
     if tried:
         last = tried[-1]
         marked_runs[_("your run")] = figures.MarkedRun(
             cost=getattr(last, by), error=last.error, symbol="diamond", size=15, color="ink"
         )
-        sentence = f"{verdicts.describe_tried_run(last, tolerance)}\n\n{sentence}"
     chosen = METHODS[ranked[0].method].title if ranked else None
     diagram = figures.draw_work_precision(
-        {METHODS[curve.method].title: downsampling.costs(curve, by) for curve in curves},
+        {
+            METHODS[curve.method].title: (getattr(curve, by), curve.error, curve.steps_per_period)
+            for curve in cache.diagram_lines()
+        },
         chosen=chosen,
         titles=(_COST_TITLES[by], _("largest error [turns], at most ½")),
         limits=_LIMITS,
         tolerance=tolerance,
         marked_runs=marked_runs,
         tried=[(getattr(run, by), run.error) for run in tried[:-1]],
+        write_cost=write_cost,
         colors=theme.colors(),
     )
     alternative = _("Work–precision diagram: the error of each method falls as its cost rises. {finding}")
@@ -123,9 +137,9 @@ def draw_diagram(by: str, tolerance: float) -> str:
 def explain_measurement() -> None:
     """Explain the diagram, and offer to repeat the measurement of times."""
     sentence = _(
-        "Each mark is a run of a method over {periods} periods, with smaller steps further right. Along both axes, "
-        "each line is 10 times the one before. Each run of your own in *Race* appears as ◆. All runs in the diagram "
-        "compute with 16 digits (float64). The table also lists runs with 7 digits (float32)."
+        "Each line joins runs of one method over {periods} periods. Along both axes, each grid line is 10 times the "
+        "one before. Each run of your own in *Race* appears as ◆. The runs in the diagram compute with 16 digits. The "
+        "table also lists runs with 7 digits."
     )
     st.markdown(sentence.format(periods=PERIODS))
     sentence = _(
@@ -152,7 +166,15 @@ def _forget_measurement() -> None:
     st.session_state.pop(_COMPLETE, None)
 
 
-def find_tried_runs(curves: Sequence[WorkPrecision]) -> list[Run]:
+def find_tried_runs() -> list[Run]:
     """Return the runs that the visitor has tried in the challenge, the last one at the end."""
-    by_method = {curve.method: curve for curve in curves}
-    return [by_method[method].select(steps) for method, steps in challenge.tried_runs()]
+    tried = challenge.tried_runs()
+    if not tried:
+        return []
+    by_method = {curve.method: curve for curve in _select_double_precision()}
+    return [by_method[method].select(steps) for method, steps in tried]
+
+
+def _select_double_precision() -> list[WorkPrecision]:
+    """Return the runs with the numbers of the app, float64. The table also lists float32."""
+    return [curve for curve in cache.diagram() if curve.dtype == "float64"]

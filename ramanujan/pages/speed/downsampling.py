@@ -7,7 +7,6 @@ from typing import Any
 import numpy as np
 
 from ramanujan.accuracy.runs import History, count_evaluations
-from ramanujan.accuracy.work_precision import SHOWN_STEPS, WorkPrecision
 from ramanujan.text.numerals import number
 
 SAMPLES_PER_PERIOD = 32
@@ -63,12 +62,6 @@ def stage_payload(run: SampledRun) -> dict[str, Any]:
         "evaluations": [number(cost, 6) for cost in evaluations.tolist()],
         "turns": np.nan_to_num(run.turns).round(5).tolist(),
     }
-
-
-def costs(curve: WorkPrecision, by: str) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-    """Return cost, error and steps per period of the runs in the diagram; `by` is the kind of cost."""
-    is_shown = np.isin(curve.steps_per_period, SHOWN_STEPS)
-    return getattr(curve, by)[is_shown], curve.error[is_shown], curve.steps_per_period[is_shown]
 
 
 def downsample(history: History, steps: int, periods: int) -> SampledRun:

@@ -50,9 +50,9 @@ _EXPLANATIONS = {
     ),
     "energy": _("The **energy error** says how far the energy *E* is from the true energy *E*₀."),
 }
+# Above the price is its result (`costs`).
 _LEADS = {
     "race": _("A computer calculates in small steps: each costs time and adds an error."),
-    "price": _("Smaller steps cost more and err less: which method is the cheapest?"),
     "limits": _("Numbers have few digits and a largest value: even a right formula can fail."),
 }
 
@@ -69,7 +69,7 @@ def show() -> None:
     for topic, draw in (("race", draw_race), ("limits", draw_limits), ("price", draw_price)):
         if topic in places:
             with places[topic]:
-                if not display_mode.is_projector():
+                if topic in _LEADS and not display_mode.is_projector():
                     with st.container(key=f"topic_{topic}"):
                         st.markdown(_LEADS[topic])
                 draw()

@@ -13,7 +13,7 @@ from ramanujan.accuracy.phase import PhaseErrors
 from ramanujan.accuracy.work_precision import STEPS_PER_PERIOD, ClosedForm, Run
 from ramanujan.pages.speed.downsampling import SampledRun
 from ramanujan.physics.integrators import METHODS, Method
-from ramanujan.text.numerals import at_least, distinct_from, duration, filled, number, quantity
+from ramanujan.text.numerals import at_least, distinct_from, duration, filled, length, number, quantity
 from ramanujan.text.translation import _, ngettext
 
 _VISIBLE = 0.05
@@ -138,7 +138,26 @@ def recommend_run(choices: Sequence[Run], tolerance: float, by: str) -> str:
     tolerance : largest error [turns]
     by : kind of cost, "evaluations" or "seconds"
     """
-    return _recommend(choices[0], tolerance, by) if choices else _none_reaches(tolerance)
+    if not choices:
+        return _none_reaches(tolerance)
+    sentences = [_recommend(choices[0], tolerance, by)]
+    if len(choices) > 1:
+        sentences.append(_compare_costs(choices[0], choices[-1], by))
+    return " ".join(sentences)
+
+
+def describe_tolerance(tolerance: float, compression: float) -> str:
+    """State the error of the spring's length for a phase error of `tolerance` turns.
+
+    The lengths x₀ cos Ωt and x₀ cos(Ωt + 2πδ) differ by at most 2x₀ sin πδ.
+
+    Parameters
+    ----------
+    tolerance : phase error δ [turns]
+    compression : x₀ [m]
+    """
+    sentence = _("With {tolerance:1} of a turn, the length of the spring can be off by {length}.")
+    return filled(sentence, tolerance=tolerance, length=length(2 * compression * math.sin(math.pi * tolerance)))
 
 
 def describe_closed_form(exact: ClosedForm) -> str:
@@ -180,6 +199,15 @@ def _recommend(best: Run, tolerance: float, by: str) -> str:
     return filled(sentence, tolerance=tolerance, **names, **costs)
 
 
+def _compare_costs(best: Run, dearest: Run, by: str) -> str:
+    """State how many times the cost of the best run the dearest one has."""
+    sentence = _("{method} takes {times:2} times as many.")
+    if by == "seconds":
+        sentence = _("{method} takes {times:2} times as long.")
+    name = METHODS[dearest.method].title
+    return filled(sentence, method=name[0].upper() + name[1:], times=getattr(dearest, by) / getattr(best, by))
+
+
 def _none_reaches(tolerance: float) -> str:
     """State that no run has an error within the tolerance."""
     sentence = _(
@@ -192,12 +220,19 @@ def _none_reaches(tolerance: float) -> str:
 def choice_table(choices: Iterable[Run]) -> Table:
     """List the cheapest run of each method and precision."""
     rows: Table = [
-        (_("Method"), _("Precision"), _("Steps per period"), _("Error [turns]"), _("Evaluations"), _("Time"))
+        (
+            _("Method"),
+            _("Digits"),
+            _("Steps per period"),
+            _("Largest error [turns]"),
+            _("Evaluations of the force"),
+            _("Time on this server"),
+        )
     ]
     for choice in choices:
         row = (
             METHODS[choice.method].title,
-            choice.dtype,
+            str(round(-math.log10(np.finfo(choice.dtype).eps))),
             str(choice.steps_per_period),
             number(choice.error),
             number(choice.evaluations, 3),

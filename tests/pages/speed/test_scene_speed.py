@@ -171,6 +171,23 @@ def test_measurements_are_shared_and_repeated_on_request(app):
     assert [c.error is old.error for c, old in zip(again, curves, strict=True)] == [True] * len(curves)
 
 
+def test_all_lines_of_the_diagram_end_at_one_cost():
+    """Then the names at the right edge are beside their lines."""
+    ends = np.array([work_precision.diagram_line(method).evaluations[-1] for method in METHODS])
+    assert np.ptp(ends) < 0.01 * ends.max()
+
+
+@pytest.mark.parametrize("tolerance", [0.1, 1e-4])
+def test_the_error_of_the_spring_is_that_of_the_phase(tolerance):
+    phases = np.linspace(0, math.tau, 100_001)
+    most = 0.08 * np.abs(np.cos(phases + math.tau * tolerance) - np.cos(phases)).max()
+    size, unit = (1e-2, "cm") if most > 1e-2 else (1e-6, "µm")
+    sentence = verdicts.describe_tolerance(tolerance, 0.08)
+    written = float(re.search(rf"off by ([\d.]+)\u202f{unit}", sentence)[1])
+    assert most / size <= written * (1 + 1e-6)
+    assert written == pytest.approx(most / size, rel=0.05)
+
+
 def test_an_interrupted_measurement_shows_its_progress_and_continues(app, monkeypatch):
     parts = cache.parts_of_diagram()
     computed = []
