@@ -24,9 +24,6 @@ from ramanujan.text.translation import _
 TITLE = _("Equal on paper, not in a computer")
 EXPERIMENTS = {"time": _("short times"), "ratio": _("mass ratio"), "scale": _("all masses")}
 EXPERIMENT = address.Choice("extreme", EXPERIMENTS, "time")
-_ANSWERS = {"plain": _("the first"), "used": _("the second"), "both": _("both")}
-PREDICTIONS = {name: address.Choice(f"predict_{name}", _ANSWERS) for name in EXPERIMENTS}
-
 _QUESTIONS = {
     "time": _(
         "After a time *t* the spring has lost the share 1 − cos Ω*t* of its compression. On paper this equals "
@@ -45,6 +42,14 @@ _LABELS = {"time": _("Time after the release, in periods"), "ratio": "ε = m′/
 _MASS_FORMULAS = FORMS["paper"].formula, FORMS[USED_FORM].formula
 _FORMULAS = {"time": ("1 − cos Ωt", "2 sin²(Ωt/2)"), "ratio": _MASS_FORMULAS, "scale": _MASS_FORMULAS}
 """Experiment → the plain formula, and the one that the app uses."""
+_BY_PLACE = {"plain": _("the first"), "used": _("the second"), "both": _("both")}
+# Short formulas are options themselves. The others are in the rows of the table.
+_ANSWERS = {
+    "time": {**_BY_PLACE, **dict(zip(_BY_PLACE, _FORMULAS["time"], strict=False))},
+    "ratio": _BY_PLACE,
+    "scale": _BY_PLACE,
+}
+PREDICTIONS = {name: address.Choice(f"predict_{name}", answers) for name, answers in _ANSWERS.items()}
 _STEPS = {"time": ("cos Ωt", "sin(Ωt/2)"), "ratio": ("(m′ + m)²", "ε"), "scale": ("(m′ + m)²", "ε")}
 """Experiment → the critical steps of both formulas."""
 _SWEEPS = {
@@ -56,7 +61,7 @@ _START = {"time": -1, "ratio": 75, "scale": 75}
 """Experiment → the first sample shown, where both formulas are right."""
 
 # The note on a sample, by what the critical step of the plain formula returns.
-_AGREE = _("Both are right to {digits} digits. Now drag the slider to each of its ends.")
+_AGREE = _("Both are right to {digits} digits. Now drag the slider, and watch the digits.")
 _PREDICT = _("Choose an answer first. Then drag the slider.")
 _NOTES = {
     "time": {
@@ -71,11 +76,11 @@ _NOTES = {
     "mass": {
         "losing": _("The square is so small that the computer no longer stores all its digits."),
         "vanished": _(
-            "The square is smaller than the smallest number in float64, so it became 0. The result looks right, but "
-            "it is wrong. The second formula squares no mass."
+            "The square is smaller than the computer’s smallest number, so it became 0. The result looks right, but it "
+            "is wrong. The second formula squares no mass."
         ),
         "infinite": _(
-            "The square is larger than {largest:2}, the largest number in float64, so it became ∞. Division by ∞ gives "
+            "The square is larger than {largest:2}, the computer’s largest number, so it became ∞. Division by ∞ gives "
             "0. The second formula squares no mass."
         ),
     },
@@ -99,7 +104,7 @@ def _payload(name: str, prediction: str | None) -> dict[str, Any]:
     reasons = _NOTES["time" if name == "time" else "mass"]
     notes = dict.fromkeys(["right", *reasons], _PREDICT)
     if prediction:
-        verdict = _judge(prediction, samples)
+        verdict = _judge(name, prediction, samples)
         notes = {"right": _AGREE} | {kind: f"{verdict} {reason}" for kind, reason in reasons.items()}
     numbers = {"digits": DIGITS, "largest": float(np.finfo(float).max)}
     used = _("used by this app") if is_predicted else ""
@@ -109,7 +114,7 @@ def _payload(name: str, prediction: str | None) -> dict[str, Any]:
         "label": _LABELS[name],
         "start": _START[name] % len(samples),
         "locked": not is_predicted,
-        "head": [_("Formula"), _("Critical step"), _("Result"), _("Correct digits")],
+        "head": [_("Formula"), _("A step on the way"), _("Result"), _("Correct digits")],
         "rows": [
             escape(plain),
             f"{escape(own)} <small>{used}</small>",
@@ -121,13 +126,13 @@ def _payload(name: str, prediction: str | None) -> dict[str, Any]:
     }
 
 
-def _judge(prediction: str, samples: list[Sample]) -> str:
+def _judge(experiment: str, prediction: str, samples: list[Sample]) -> str:
     """Return whether a prediction names the formulas that keep all their digits."""
     least = {name: min(getattr(sample, name).digits for sample in samples) for name in ("plain", "used")}
     right = [name for name, digits in least.items() if digits >= DIGITS - 1]
     if prediction == ("both" if len(right) > 1 else right[0]):
         return _("Your prediction was right.")
-    return _("Not right. You predicted: {answer}.").format(answer=_ANSWERS[prediction])
+    return _("Not right. You predicted: {answer}.").format(answer=_ANSWERS[experiment][prediction])
 
 
 def _describe_sample(name: str, sample: Sample, kinds: list[str]) -> list[Any]:
@@ -179,19 +184,18 @@ def draw_phase_errors(machine: Oscillator) -> None:
     """Draw the phase error after very many periods."""
     words, place = columns("phases")
     errors_by_periods = cache.phases(machine)
-    sentence = verdicts.describe_phases(errors_by_periods)
+    sentence = verdicts.describe_phases(errors_by_periods, machine.period)
     with words:
         st.header(_("Very many periods"), anchor=False)
-        st.markdown(_("The phase is Ω·t. For how long does a computer know it?"))
         st.markdown(sentence)
     alternative = _("Phase error over the number of periods. {findings}")
     periods = [errors.periods for errors in errors_by_periods]
     curves = {
-        "float32": [errors.float32 for errors in errors_by_periods],
-        "float64": [errors.float64 for errors in errors_by_periods],
+        _("7 digits"): [errors.float32 for errors in errors_by_periods],
+        _("16 digits"): [errors.float64 for errors in errors_by_periods],
         _("turns subtracted"): [errors.reduced for errors in errors_by_periods],
     }
-    drawn = figures.draw_phase_errors(periods, curves, "float64", theme.colors())
+    drawn = figures.draw_phase_errors(periods, curves, _("16 digits"), theme.colors())
     with place:
         drawings.plot(drawn, "phase_errors", alternative.format(findings=sentence.replace("**", "")))
 

@@ -53,7 +53,11 @@ _EXPLANATIONS = {
 # Above the price is its result (`costs`).
 _LEADS = {
     "race": _("A computer calculates in small steps: each costs time and adds an error."),
-    "limits": _("Numbers have few digits and a largest value: even a right formula can fail."),
+    "limits": filled(
+        _("A computer’s numbers have about {digits} digits and end at {largest:2}: even a right formula can fail."),
+        digits=np.finfo(float).precision + 1,
+        largest=float(np.finfo(float).max),
+    ),
 }
 
 

@@ -19,6 +19,11 @@ from ramanujan.text.translation import _, ngettext
 _VISIBLE = 0.05
 """Phase error [rad] that is visible between two machines side by side: about a hundredth of a full turn."""
 
+_DAY = 86400.0
+"""[s]"""
+_YEAR = 365.25 * _DAY
+"""[s]"""
+
 Table = list[tuple[str, ...]]
 
 
@@ -290,22 +295,32 @@ def count_digits(ulp: float, dtype: str) -> int:
     return max(0, math.floor(-math.log10(relative_error)))
 
 
-def describe_phases(errors: Sequence[PhaseErrors]) -> str:
-    """State when the phase in float32 becomes meaningless, and its errors in float64 with and without reduction."""
-    sentences = []
+def describe_phases(errors: Sequence[PhaseErrors], period: float) -> str:
+    """State when the phase in float32 becomes meaningless, and its errors in float64 with and without reduction.
+
+    Parameters
+    ----------
+    errors : after 1, 10, 100, … periods
+    period : of the machine [s]
+    """
+    sentences = [_("The phase Ω·t counts the whole turns. The more turns, the fewer digits remain for the position.")]
     for before, after in pairwise(errors):
         if before.float32 <= 1 < after.float32:
             sentence = _(
-                "The whole turns of the phase Ω·t use up its digits. With 7 digits (float32), its error passes "
-                "1\u202frad between {before} and {after} periods."
+                "With **7 digits**, it is lost between {before:1} and {after:1} periods, within **{days:1↑} days** of "
+                "motion."
             )
-            sentences.append(sentence.format(before=number(before.periods), after=number(after.periods)))
+            days = max(2.0, after.periods * period / _DAY)
+            sentences.append(filled(sentence, before=before.periods, after=after.periods, days=days))
             break
     reduced = _(
-        "With 16 digits (float64), it is {last.float64:1 rad} after {last.periods:2} periods. Subtract whole turns "
-        "first, with twice as many digits of Ω: it stays within **{largest:1↑ rad}**."
+        "With **16 digits**, it lasts longer: after {last.periods:2} periods, or **{years:2} million years**, it is "
+        "off by {last.float64:1 rad}. Subtract whole turns first, with twice as many digits of Ω: it stays within "
+        "**{largest:1↑ rad}**."
     )
-    sentences.append(filled(reduced, last=errors[-1], largest=max(entry.reduced for entry in errors)))
+    years = errors[-1].periods * period / (1e6 * _YEAR)
+    largest = max(entry.reduced for entry in errors)
+    sentences.append(filled(reduced, last=errors[-1], years=years, largest=largest))
     return " ".join(sentences)
 
 

@@ -457,7 +457,7 @@ def test_the_stated_loss_of_phase_in_float32_is_true():
     single = (np.float32(omega) * times.astype(np.float32)).astype(float)
     lost = periods[np.argmax(np.abs(np.angle(np.exp(1j * (single - omega * times)))) > 1)]
     before, after = math.floor(math.log10(lost)), math.ceil(math.log10(lost))
-    sentence = verdicts.describe_phases(phase_errors(machine))
+    sentence = verdicts.describe_phases(phase_errors(machine), machine.period)
     assert f"between {power_of_ten(before)} and {power_of_ten(after)} periods" in sentence
 
 
