@@ -21,7 +21,20 @@ ASKED, PREDICTED, MISSED, ANSWERED = "asked", "predicted", "missed", "answered"
 """
 
 PART = address.Choice("part", {"stops": _("Stops"), "tasks": _("Tasks"), "notes": _("Lecturer’s notes")}, "stops")
-STOP = address.Choice("stop", (*(stop.id for stop in lesson.STOPS), END), lesson.STOPS[0].id)
+
+
+@dataclass(frozen=True)
+class StopChoice(address.Choice):
+    """A stop or the end. The address may also contain the number of a stop in this lesson."""
+
+    def read(self, text: str) -> str:
+        """Return the id of the stop. Raise `ValueError` for an invalid text."""
+        included = filter(_is_included, lesson.STOPS)
+        numbers = {str(number): stop.id for number, stop in enumerate(included, start=1)}
+        return numbers.get(text) or super().read(text)
+
+
+STOP = StopChoice("stop", (*(stop.id for stop in lesson.STOPS), END), lesson.STOPS[0].id)
 TASK = address.Choice("task", {task.id: task.heading for task in lesson.TASKS}, lesson.TASKS[0].id)
 LENGTH = address.Choice("stops", ("short", "all"))
 
@@ -59,7 +72,8 @@ class Predictions(address.URLParameter):
 
 
 CHOSEN = Predictions("chosen")
-URL_PARAMETERS = (PART, STOP, TASK, LENGTH, CHOSEN)
+URL_PARAMETERS = (PART, LENGTH, STOP, TASK, CHOSEN)
+"""The length precedes the stop, whose number depends on it."""
 
 
 def read_prediction(stop: Stop) -> tuple[str | None, str]:
@@ -79,9 +93,14 @@ def predict(stop: Stop, option: str | None, phase: str = PREDICTED) -> None:
 
 def list_stops() -> tuple[Stop, ...]:
     """Return the stops of this lesson: all, or those of a short lecture and the current one."""
-    length = address.current(LENGTH) or ("short" if class_session.lecturer_key() else "all")
     current = address.current(STOP)
-    return tuple(stop for stop in lesson.STOPS if length == "all" or stop.is_in_short_lesson or stop.id == current)
+    return tuple(stop for stop in lesson.STOPS if _is_included(stop) or stop.id == current)
+
+
+def _is_included(stop: Stop) -> bool:
+    """Return whether a lesson of the selected length includes a stop."""
+    length = address.current(LENGTH) or ("short" if class_session.lecturer_key() else "all")
+    return length == "all" or stop.is_in_short_lesson
 
 
 def find_next_stop(stop: Stop) -> Stop | None:

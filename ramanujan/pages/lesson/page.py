@@ -23,7 +23,7 @@ from ramanujan.text.translation import _, ngettext, pgettext
 
 URL_PARAMETERS = (*progress.URL_PARAMETERS, *tasks.URL_PARAMETERS, *exercise.URL_PARAMETERS)
 # Numbers of stops on a slide of the projector view: with their notes, and with their results.
-_NOTES_PER_SLIDE, _RESULTS_PER_SLIDE = 3, 9
+_NOTES_PER_SLIDE, _RESULTS_PER_SLIDE = 3, 7
 ENDING = _("What you have seen")
 # A style rule without the drawer of sliders and the value of Ω²m/k, which the first stops have not yet explained.
 # In page.css it would need :has(), which is slow.
@@ -156,31 +156,34 @@ def select_stop(name: str) -> None:
 def draw_end(path: tuple[lesson.Stop, ...]) -> None:
     """Draw the end: the predictions and what happened, the number of the lesson, and where to go on."""
     rows, missed, unanswered = [], [], []
-    for stop in path:
+    for number, stop in enumerate(path, start=1):
         chosen, phase = progress.read_prediction(stop)
         if not chosen or phase != progress.ANSWERED:
-            unanswered.append(stop)
+            unanswered.append((number, stop))
             continue
         prediction = _(":green[:material/check_circle:] Right")
         if chosen != stop.right:
-            missed.append(stop)
+            missed.append((number, stop))
             prediction = stop.options[chosen]
-        rows.append((f"**{stop.heading}**", prediction, stop.options[stop.right]))
+        rows.append((f"**{number}. {stop.heading}**", prediction, stop.options[stop.right]))
     sentence = _("You have not answered a question yet.")
     if rows:
         sentence = _("You answered {answered} of {stops} questions. Your prediction was right at {right} of them.")
+    heading = ENDING if rows else _("The end of the lesson")
     numbers = {"answered": len(rows), "stops": len(path), "right": len(rows) - len(missed)}
     first = _RESULTS_PER_SLIDE if is_projector() else len(rows)
     results, onwards = (nullcontext(), nullcontext()) if is_projector() else st.columns([5, 3], gap="large")
-    with results, slide("seen", ENDING):
-        st.title(ENDING, anchor=False)
+    with results, slide("seen", heading):
+        st.title(heading, anchor=False)
         st.container(key="ending").markdown(sentence.format(**numbers))
         if rows:
             draw_results(rows[:first], "seen")
-        if missed and not is_projector():
-            draw_links(_("Look at the reason again:"), missed, "missed")
+        # The table of a slide names the stops, and leaves room for their numbers only.
+        is_short = is_projector() and bool(rows)
+        if missed:
+            draw_links(_("Look at the reason again:"), missed, "missed", is_short=is_short)
         if unanswered:
-            draw_links(_("Still open:"), unanswered, "open")
+            draw_links(_("Still open:"), unanswered, "open", is_short=is_short)
     if rows[first:]:
         with results, slide("seen_on", _("{heading}, continued").format(heading=ENDING)):
             draw_results(rows[first:], "seen_on")
@@ -195,12 +198,13 @@ def draw_end(path: tuple[lesson.Stop, ...]) -> None:
             draw_onwards()
 
 
-def draw_links(title: str, chosen_stops: Sequence[lesson.Stop], key: str) -> None:
-    """Draw a button for each of some stops, which selects it, below a title."""
-    st.markdown(title)
-    with st.container(horizontal=True, gap="xsmall", key=f"{key}_stops"):
-        for stop in chosen_stops:
-            st.button(stop.heading, key=f"{key}_{stop.id}", on_click=select_stop, args=(stop.id,))
+def draw_links(title: str, chosen_stops: Sequence[tuple[int, lesson.Stop]], key: str, *, is_short: bool) -> None:
+    """Draw a title and a button for each of some numbered stops, which selects it; `is_short` omits the names."""
+    with st.container(horizontal=True, vertical_alignment="center", gap="xsmall", key=f"{key}_stops"):
+        st.markdown(title, width="content")
+        for number, stop in chosen_stops:
+            label = str(number) if is_short else f"{number}. {stop.heading}"
+            st.button(label, key=f"{key}_{stop.id}", on_click=select_stop, args=(stop.id,))
 
 
 def draw_onwards() -> None:
@@ -226,7 +230,7 @@ def draw_task(head: st.delta_generator.DeltaGenerator) -> None:
 
 
 def draw_notes(_head: st.delta_generator.DeltaGenerator) -> None:
-    """Draw the lecturer's notes, and the choice between all stops and a short lesson."""
+    """Draw the choice between all stops and a short lesson, and the lecturer's notes on its stops."""
     st.html(_WITHOUT_DRAWER)
     # At the desk of a class the notes are open. A reader first gets a warning that they contain answers.
     label = _("Show the notes on all stops. They name the right answers.")
@@ -234,8 +238,9 @@ def draw_notes(_head: st.delta_generator.DeltaGenerator) -> None:
         _draw_introduction()
         shows_answers = bool(class_session.lecturer_key()) or st.toggle(label, key="notes_shown")
     with st.container(key="notes_list"):
-        for start in range(0, len(lesson.STOPS), _NOTES_PER_SLIDE):
-            group = lesson.STOPS[start : start + _NOTES_PER_SLIDE]
+        path = progress.list_stops()
+        for start in range(0, len(path), _NOTES_PER_SLIDE):
+            group = path[start : start + _NOTES_PER_SLIDE]
             with slide(f"notes_{start}", group[0].heading):
                 for number, stop in enumerate(group, start=start + 1):
                     _draw_note(number, stop, shows_answers)

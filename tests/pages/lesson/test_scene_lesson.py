@@ -246,18 +246,20 @@ def test_the_short_lesson_has_six_stops_and_an_end_with_the_answers(opened):
     shown = "\n".join(text.value for text in app.markdown)
     assert "You answered 2 of 6 questions. Your prediction was right at 1 of them." in shown
     wrong, right = second.options[other_than(second)], second.options[second.answer()]
-    assert f"| **{first.heading}** | :green[:material/check_circle:] Right | {first.options[first.answer()]} |" in shown
-    assert f"| **{second.heading}** | {wrong} | {right} |" in shown
+    assert (
+        f"| **1. {first.heading}** | :green[:material/check_circle:] Right | {first.options[first.answer()]} |" in shown
+    )
+    assert f"| **2. {second.heading}** | {wrong} | {right} |" in shown
     # The sums of cubes answer a question that is still open.
     assert "1729 = 1³" not in shown
     is_shown = [stop.options[stop.answer()] in shown for stop in short]
     assert is_shown == [True, True, False, False, False, False]
     # A button leads to each question that is still open.
     assert [button.label for button in app.button if button.key.startswith("open_")] == [
-        stop.heading for stop in short[2:]
+        f"{number}. {stop.heading}" for number, stop in enumerate(short[2:], start=3)
     ]
     # Another leads back to the reason of each question with a wrong prediction.
-    assert [button.label for button in app.button if button.key.startswith("missed_")] == [second.heading]
+    assert [button.label for button in app.button if button.key.startswith("missed_")] == [f"2. {second.heading}"]
     assert len(app.get("page_link")) == 4
     unbroken(app.button(key=f"open_{short[2].id}").click().run())
     assert app.title[0].value == f"3. {short[2].heading}"
@@ -328,6 +330,30 @@ def test_the_notes_cover_every_stop_and_name_their_sources(opened):
     assert all(source in shown for source in lesson.SOURCES)
     cited = set(re.findall(r"\[(\d)\]", shown))
     assert cited == {str(number) for number in range(1, len(lesson.SOURCES) + 1)}
+
+
+def test_the_notes_of_a_short_lesson_list_its_stops_only(opened):
+    shown = markdown(opened(part="notes", stops="short"))
+    for stop in lesson.STOPS:
+        assert (f" {stop.heading} :small" in shown) == stop.is_in_short_lesson, stop.id
+
+
+def test_the_number_of_a_stop_in_the_address_opens_it(opened):
+    short = [stop for stop in lesson.STOPS if stop.is_in_short_lesson]
+    assert opened(stop="2").title[0].value == f"2. {lesson.STOPS[1].heading}"
+    app = opened(stop="6", stops="short")
+    assert app.title[0].value == f"6. {short[5].heading}"
+    assert app.query_params["stop"] == short[5].id
+    assert opened(stop="7", stops="short").warning
+
+
+def test_a_slide_of_the_end_names_missed_stops_by_their_numbers_in_the_table(opened):
+    missed = lesson.STOPS[2]
+    assert opened(stop="end").title[0].value == "The end of the lesson"
+    app = opened(stop="end", view="projector", chosen=f"{missed.id}.{other_than(missed)}")
+    assert app.title[0].value == "What you have seen"
+    assert f"**3. {missed.heading}**" in markdown(app)
+    assert app.button(key=f"missed_{missed.id}").label == "3"
 
 
 def test_the_full_page_understands_the_link_of_every_stop():
