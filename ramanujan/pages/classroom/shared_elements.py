@@ -277,6 +277,8 @@ def storage_sentence(expires: float) -> str:
 
 def answers_sentence(view: ClassView) -> str:
     """Return the number of students present and of answers, as a sentence."""
+    if not view.present:
+        return joined_sentence(0)
     # TRANSLATORS: how many of the students have answered: 12 of 30.
     sentence = _("Answers: {answered} of {present}.").format(answered=view.answered, present=view.present)
     return " ".join((_("Second vote."), sentence)) if view.current.vote.is_second else sentence

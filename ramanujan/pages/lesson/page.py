@@ -179,11 +179,13 @@ def draw_end(path: tuple[lesson.Stop, ...]) -> None:
         if rows:
             draw_results(rows[:first], "seen")
         # The table of a slide names the stops, and leaves room for their numbers only.
-        is_short = is_projector() and bool(rows)
+        is_short = is_projector()
         if missed:
             draw_links(_("Look at the reason again:"), missed, "missed", is_short=is_short)
-        if unanswered:
+        if unanswered and rows:
             draw_links(_("Still open:"), unanswered, "open", is_short=is_short)
+        elif unanswered:
+            draw_links(_("Begin with:"), unanswered[:1], "open", is_short=False)
     if rows[first:]:
         with results, slide("seen_on", _("{heading}, continued").format(heading=ENDING)):
             draw_results(rows[first:], "seen_on")
