@@ -310,6 +310,7 @@ def describe_phases(errors: Sequence[PhaseErrors], period: float) -> str:
                 "With **7 digits**, it is lost between {before:1} and {after:1} periods, within **{days:1↑} days** of "
                 "motion."
             )
+            # The sentence has a plural. “Within 2 days” is also true of a shorter time.
             days = max(2.0, after.periods * period / _DAY)
             sentences.append(filled(sentence, before=before.periods, after=after.periods, days=days))
             break
