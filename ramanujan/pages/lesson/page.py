@@ -179,10 +179,11 @@ def draw_end(path: tuple[lesson.Stop, ...]) -> None:
         if rows:
             draw_results(rows[:first], "seen")
         # The table of a slide names the stops, and leaves room for their numbers only.
-        is_short = is_projector()
+        is_short = is_projector() and bool(rows)
         if missed:
             draw_links(_("Look at the reason again:"), missed, "missed", is_short=is_short)
-        if unanswered and rows:
+        # On a page, who has answered nothing begins with the first stop. The slide of a class shows all of them.
+        if unanswered and (rows or is_projector()):
             draw_links(_("Still open:"), unanswered, "open", is_short=is_short)
         elif unanswered:
             draw_links(_("Begin with:"), unanswered[:1], "open", is_short=False)
