@@ -237,7 +237,7 @@ def choice_table(choices: Iterable[Run]) -> Table:
     for choice in choices:
         row = (
             METHODS[choice.method].title,
-            str(round(-math.log10(np.finfo(choice.dtype).eps))),
+            str(np.finfo(choice.dtype).precision + 1),
             str(choice.steps_per_period),
             number(choice.error),
             number(choice.evaluations, 3),
