@@ -197,7 +197,8 @@ def _write_steps() -> Iterator[str]:
             f"<p>{_convert_formulas(detail.reason)}</p>{_write_equations(row.unmarked.latex for row in detail.details)}"
             for detail in step.steps
         )
-        yield f"<li><details><summary><h3>{escape(step.heading)}</h3>{results}</summary>{details}</details></li>"
+        heading = f"<h3>{escape(step.heading)} <small>{escape(step.idea)}</small></h3>"
+        yield f"<li><details><summary>{heading}{results}</summary>{details}</details></li>"
 
 
 def _write_equations(equations: Iterable[str]) -> str:

@@ -298,7 +298,7 @@ def displayed(given: Masses | None) -> Iterator[tuple[str, str, bool, str]]:
             yield from ((name, key, True, line) for key, line in route_equations(name, True, equal))
     (shape, *_), momenta = page.spectrum.__wrapped__(numbers)
     yield from (("matrix", "", False, line) for line in (shape, *equations(momenta)))
-    for (*_, key), step in zip(first_page.SUMMARY, first_page.summary.__wrapped__(numbers), strict=True):
+    for (_idea, (*_, key)), step in zip(first_page.SUMMARY, first_page.summary.__wrapped__(numbers), strict=True):
         blocks = [
             *(align(detail.details, first_page.LINE_WIDTH) for detail in step.steps),
             align(step.numbers, first_page.LINE_WIDTH),

@@ -105,12 +105,14 @@ class SummaryStep:
     Parameters
     ----------
     heading : heading of the line
+    idea : one sentence on the idea of the line
     results : the equations that the folded line shows, without the marks of an operation
     steps : the steps of the route that lead to the results
     numbers : the results and all equations of the last step, with the current numbers
     """
 
     heading: str
+    idea: str
     results: tuple[str, ...]
     steps: tuple[StepDetail, ...]
     numbers: tuple[Row, ...]
@@ -119,21 +121,28 @@ class SummaryStep:
 LINE_WIDTH = 60
 """Number of characters of a formula that fit into a window of 1280 px."""
 _NONE, _FIRST, _LAST, _ALL = slice(0), slice(1), slice(-1, None), slice(None)
-SUMMARY: tuple[Mapping[str, slice], ...] = (
-    {"velocities": _ALL},
-    {"energies": _NONE, "lagrangian": _ALL},
-    {"rates": _ALL},
-    {"elimination": slice(-2, None)},
-    {"insertion": _FIRST, "frequency": _LAST},
-    {"ratio": _NONE, "unit": _LAST, "root": slice(3, None, 2)},
+SUMMARY: tuple[tuple[str, Mapping[str, slice]], ...] = (
+    (
+        _("Without slip, the slab moves twice as fast as the centres below it, relative to the block."),
+        {"velocities": _ALL},
+    ),
+    (_("The Lagrangian is the kinetic energy minus the potential energy."), {"energies": _NONE, "lagrangian": _ALL}),
+    (_("There is one equation for each coordinate. Only that of φ contains the spring."), {"rates": _ALL}),
+    (_("Both accelerate in proportion to the lower rollers."), {"elimination": slice(-2, None)}),
+    (_("One equation of φ is left: that of a harmonic oscillator."), {"insertion": _FIRST, "frequency": _LAST}),
+    (
+        _("In step means Ω² = k/m. This is a quadratic equation of the mass ratio ε."),
+        {"ratio": _NONE, "unit": _LAST, "root": slice(3, None, 2)},
+    ),
 )
-"""For each line: key of a step of the route → its equations that are results. The last step has the line's heading."""
+"""For each line: its idea, and key of a step of the route → its equations that are results. The last step has the
+line's heading."""
 
 
 @st.cache_data(show_spinner=False, max_entries=256)
 def summary(numbers: Numbers | None) -> list[SummaryStep]:
     """Return the derivation in six steps, with the current numbers if they are given."""
-    return [_summary_step(results, numbers) for results in SUMMARY]
+    return [_summary_step(idea, results, numbers) for idea, results in SUMMARY]
 
 
 def _step(key: str) -> Step:
@@ -146,7 +155,7 @@ def _symbolic_rows(key: str) -> list[Row]:
     return make_rows(_step(key))
 
 
-def _summary_step(selection: Mapping[str, slice], numbers: Numbers | None) -> SummaryStep:
+def _summary_step(idea: str, selection: Mapping[str, slice], numbers: Numbers | None) -> SummaryStep:
     """Return a line of the short derivation, for a line of `SUMMARY`."""
     last = list(selection)[-1]
     results = _select(selection, None)
@@ -161,6 +170,7 @@ def _summary_step(selection: Mapping[str, slice], numbers: Numbers | None) -> Su
         details.append(StepDetail(_step(key).reason, others))
     return SummaryStep(
         _step(last).heading,
+        idea,
         tuple(row.unmarked.latex for row in results),
         tuple(details),
         tuple(row.unmarked for row in numeric),

@@ -242,7 +242,7 @@ def draw_six_steps() -> None:
     # The sliders rerun this fragment only while it shows numbers.
     shows_steps = False
     for n, step in enumerate(cache.summary(numbers), start=1):
-        label = f"**{n}. {step.heading}** {join_results(step)}"
+        label = f"**{n}. {step.heading}** *{step.idea}* {join_results(step)}"
         line = st.expander(label, key=f"summary_{n}", type="compact", on_change="rerun")
         if line.open:
             shows_steps = True

@@ -63,7 +63,8 @@ def test_six_steps_show_their_results_without_a_click_and_nothing_twice(app):
 
 
 def test_a_slide_lists_the_results_of_all_six_steps_in_one_table(app):
-    folded = lines(app.run())
+    # A slide has no room for the ideas.
+    folded = [re.sub(r" \*[^*]+\*(?= \$)", "", line) for line in lines(app.run())]
     on_projector = opened("oscillator", {"view": "projector"})
     table = on_projector.get_by_key("table-six_steps").markdown[0].value
     # On the slide, a long equation is broken before a sign.
