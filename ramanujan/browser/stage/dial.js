@@ -10,6 +10,7 @@ import { WORDS } from "./texts.js";
 
 const VISIBLE = 0.01; // turns, the smallest visible angle between the hands
 const IN_STEP = VISIBLE / 1e6; // turns per period: no visible difference even after a million periods
+const ROUNDING = 1e-14; // the greatest rounding error of Ω²m/k
 const NEARLY = 1 / 400; // turns per period: about a step of the slider of m′ to each side
 const DRIFT_PERIODS = 3; // the arrow spans the angle that the machine's hand gains in this number of periods
 const LEAST_TURNS = 0.001; // the least angle of a computed machine that is a number in its sentence
@@ -19,6 +20,11 @@ const LONGEST = 0.96, HEAD = 0.045; // turns: the longest arrow, and the head of
 export function driftOf({ Omega, plain }) {
   const drift = Omega / plain - 1;
   return Math.abs(drift) < IN_STEP ? 0 : drift;
+}
+
+/** Return whether the machine is in step exactly, not only for a million periods. */
+function isExact({ normalized }) {
+  return Math.abs(normalized - 1) < ROUNDING;
 }
 
 /** Classify a drift: "in-step", "nearly" or "apart". */
@@ -53,8 +59,10 @@ export function periodsPerTurn(drift) {
   return fixed(periods, periods < 10 ? 1 : 0);
 }
 
-/** Return a sentence about the drift: the time in which the machine gains or loses one full turn. */
-function driftSentence(drift) {
+/** Return a sentence about the drift: whether there is none, or the time in which it becomes one full turn. */
+function driftSentence(solution) {
+  const drift = driftOf(solution);
+  if (isExact(solution)) return WORDS.never_parts;
   if (nearness(drift) === "in-step") return fill(WORDS.in_step, { least: fixed(VISIBLE, 2) });
   return fill(drift > 0 ? WORDS.gains : WORDS.loses, { periods: periodsPerTurn(drift) });
 }
@@ -64,7 +72,7 @@ export function makeDial(root, asked) {
   const find = finder(root);
   const names = ["normalized", "omega", "period"];
   const readouts = Object.fromEntries(names.map((name) => [name, find(`[data-read=${name}]`)]));
-  let describedRatio; // Ω²m/k with nine digits, of the machine in the sentence about the drift
+  let describedRatio; // Ω²m/k with nine digits, or "exact", of the machine in the sentence about the drift
   find(".key .drift").textContent = fill(WORDS.drift, { periods: DRIFT_PERIODS });
 
   /** Set the text of a node, if it has changed. */
@@ -83,8 +91,8 @@ export function makeDial(root, asked) {
     const drift = driftOf(solution);
     set(find(".step"), { "data-step": showsNearness ? nearness(drift) : "" });
     drawDrift(showsNearness ? DRIFT_PERIODS * drift : 0);
-    const ratio = solution.normalized.toPrecision(9);
-    if (ratio !== describedRatio) write(find(".parting"), driftSentence(drift));
+    const ratio = isExact(solution) ? "exact" : solution.normalized.toPrecision(9);
+    if (ratio !== describedRatio) write(find(".parting"), driftSentence(solution));
     describedRatio = ratio;
   }
 

@@ -43,6 +43,7 @@ SENTENCES = {
     # TRANSLATORS: the clock hand of the machine, compared with that of the plain mass; periods of the plain mass.
     "gains": _("The machine gains one full turn in {periods} periods."),
     "loses": _("The machine loses one full turn in {periods} periods."),
+    "never_parts": _("In step: the hands never part."),
     "in_step": _("In step: the drift is less than {least} turns in a million periods."),
     # TRANSLATORS: legend of an arrow on the clock face, which shows the angle gained in so many periods.
     "drift": _("drift in {periods} periods"),
