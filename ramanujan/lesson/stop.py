@@ -99,8 +99,8 @@ class Stop:
     hides : parts of the stage that would reveal the answer, names of `stage.PARTS`
     layers : optional layers of the stage after the prediction
     shows_dials : whether the stage shows its clocks, and after the prediction the drift
-    periods : number of periods of the plain mass in the question. The motion pauses there by itself, and after the
-        answer a button sets both clocks to this moment.
+    periods : number of periods of the plain mass in the question. The motion pauses there by itself, and the result
+        appears. With dials, a button then sets both clocks to this moment.
     exhibit : Markdown above the machine, such as a program
     outcome : the exhibit after the prediction, with the observation, such as the output of the program
     sliders : instructions for the sliders after the prediction

@@ -8,7 +8,7 @@ import {
   horizontalForces, isOnRoller, rimTrace, roundBelow, velocityArrow,
 } from "./drawing.js";
 import { FORMULAS } from "./formulas.js";
-import { mapValues, onePeriod } from "./motion.js";
+import { TURN, mapValues, onePeriod } from "./motion.js";
 import { finder, layerNames } from "./parts.js";
 import { element, set } from "./svg.js";
 import { WORDS } from "./texts.js";
@@ -25,7 +25,8 @@ const HALF_A_LETTER = 2.7; // cm, half the height of a force's letter with its i
 const SPRING_LETTER = { inset: 3, distance: 4 }; // cm from the spring, and from the arrow of the spring's force
 const LABEL_WIDTH = 15; // cm, at least the width of the longest label of `drawRolling`
 
-export function makeLayers(root) {
+/** Make the layers. `asked`: the number of periods in the question of this stage, which a sentence counts, or null. */
+export function makeLayers(root, asked) {
   const find = finder(root), layers = layerNames(root);
   // `place` is the geometry from `layout`. `maxima` has the largest value of each kind of arrow, and `unitLengths` the
   // length of an arrow of one unit [cm]. `measure` determines maxima and unit lengths when a layer first needs them.
@@ -113,7 +114,7 @@ export function makeLayers(root) {
     }
   }
 
-  function frame(known, shift, energy, writesText) {
+  function frame(known, shift, playback, writesText) {
     if (isLayered || showsRolling()) measure?.();
     const origin = frameValue(FORMULAS.displacement, known, seenFrom);
     if (shown.has("traces")) set(find(".traces"), { transform: `translate(${(origin - shift) * CM})` });
@@ -122,7 +123,9 @@ export function makeLayers(root) {
     if (showsRolling()) drawRolling(known, shift);
     if (shown.has("forces") || data.forces) drawForces(known, shift);
     if (shown.has("coordinates")) drawCoordinates(find(".coordinates"), known, place, shift);
-    if (shown.has("energy")) drawEnergy(known, energy, writesText);
+    if (!shown.has("energy")) return;
+    if (data.most_energy) drawTotalEnergy(playback);
+    else drawEnergy(known, writesText);
   }
 
   /** Draw arrows to scale from the places before the compression. Relative to the block, these move with it. */
@@ -211,15 +214,25 @@ export function makeLayers(root) {
     letter.parentNode.classList.toggle("faint", !data.forces.includes(force));
   }
 
-  /** Draw the shares of the energy, in a full bar, or in a bar with a mark at the energy of the release. */
-  function drawEnergy(known, multiple, writesShares) {
+  /** Draw the shares of the energy in a full bar. */
+  function drawEnergy(known, writesShares) {
     const energies = [...BODIES.map((name) => FORMULAS.kinetic_energy[name](known)), FORMULAS.potential_energy(known)];
     const total = energies.reduce((sum, energy) => sum + energy, 0) || 1;
-    const length = data.most_energy ? multiple / data.most_energy : 1;
     energies.forEach((energy, i) => {
-      bars[i].style.width = `${(100 * length * energy) / total}%`;
+      bars[i].style.width = `${(100 * energy) / total}%`;
       if (writesShares) shares[i].textContent = withUnit(fixed(Math.round((100 * energy) / total), 0), "%");
     });
+  }
+
+  /** Draw the total energy, in a bar with a mark at the energy of the release. Write its value once a period. */
+  function drawTotalEnergy(playback) {
+    bars[0].style.width = `${(100 * playback.energyAt(playback.phase)) / data.most_energy}%`;
+    const done = Math.floor(playback.periods + 1e-9), share = 100 * playback.energyAt(done * TURN);
+    const sentence = fill(WORDS.energy_share, { share: withUnit(fixed(share, 0), "%") });
+    const text = asked ? fill(WORDS.counting, { done, periods: asked, sentence }) : sentence;
+    if (find(".total").textContent === text) return;
+    find(".total").textContent = text;
+    set(find(".energy"), { "aria-label": text });
   }
 
   function show(names) {
@@ -231,7 +244,7 @@ export function makeLayers(root) {
     if (data.velocities) setVisible(find(".arrows"), true);
     find(".machine").classList.toggle("lettered", Boolean(data.forces));
     find(".energy").classList.toggle("marked", Boolean(data.most_energy));
-    find(".released").style.marginLeft = `${100 / data.most_energy}%`;
+    find(".energy").style.setProperty("--release", `${100 / data.most_energy}%`);
     setVisible(find(".rolling"), showsRolling());
     find(".machine").classList.toggle("from-block", seenFrom === "block");
     // Both keys have the same place.

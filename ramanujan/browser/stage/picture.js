@@ -33,7 +33,7 @@ const CHARACTER = 0.54; // width of a character of the ruler's labels, at most, 
 export function makePicture(root, { compact, dials, narrow, limits, label, rest_after: asked }, signal) {
   const find = finder(root);
   const host = find(".stage"), svg = find(".machine"), moving = find(".moving");
-  const inMoving = finder(moving), layers = makeLayers(root), dial = makeDial(root, asked);
+  const inMoving = finder(moving), layers = makeLayers(root, asked), dial = makeDial(root, asked);
   const sizes = new ResizeObserver(fitText);
   signal.addEventListener("abort", () => sizes.disconnect());
   let place = null; // the geometry from `layout`
@@ -102,7 +102,7 @@ export function makePicture(root, { compact, dials, narrow, limits, label, rest_
     });
     if (shift * CM !== shifted) slideFloor(svg, (shifted = shift * CM), floorShown);
     if (playback.computed) drawComputed(known, playback, shift);
-    layers.frame(known, shift, playback.energy, writesText);
+    layers.frame(known, shift, playback, writesText);
     dial.frame(playback, writesText);
   }
 

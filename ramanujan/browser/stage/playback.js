@@ -61,9 +61,9 @@ export class Playback {
     return TURN * between(this.computed.turns, clamp(this.phase / this.end, 0, 1));
   }
 
-  /** The present energy, in multiples of that at release. */
-  get energy() {
-    return this.samples?.energies ? between(this.samples.energies, clamp(this.phase / this.end, 0, 1)) : 1;
+  /** The energy at a phase, in multiples of that at release. */
+  energyAt(phase) {
+    return this.samples?.energies ? between(this.samples.energies, clamp(phase / this.end, 0, 1)) : 1;
   }
 
   /** The present state. */

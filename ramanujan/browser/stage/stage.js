@@ -285,7 +285,7 @@ class Stage {
     const untilRest = (this.restAngle - this.playback.plainPhase) / this.solution.plain;
     const rests = untilRest > 0 && seconds >= untilRest;
     const reason = this.playback.advance(rests ? untilRest : seconds, this.periods);
-    if (rests) this.rest();
+    if (rests) return this.rest();
     if (!reason) return;
     if (reason === "ended" && this.screenPeriod) return this.race(null);
     this.releaseAll();
@@ -293,9 +293,12 @@ class Stage {
     this.voice.say(WORDS[reason], { once: true });
   }
 
-  /** Pause at the moment of a question, where the hands show its answer. A person may play on. */
+  /** Pause all machines on the clock at the moment of a question, which shows its answer. A person may play on. */
   rest() {
-    this.playback.plainPhase = this.restAngle; // exact, so that the next start is not before this moment
+    for (const { playback, restAngle } of this.clock.stages) {
+      playback.goTo(this.playback.phase);
+      playback.plainPhase = restAngle; // exact, so that the next start is not before this moment
+    }
     this.setPlaying(false);
   }
 

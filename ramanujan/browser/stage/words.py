@@ -35,6 +35,7 @@ SENTENCES = {
     "behind": _("Now the machine is {turns} turns behind."),
     # TRANSLATORS: {sentence} is one about the hands. {periods} is the number of periods in the question of the lesson.
     "counting": _("{done} of {periods} periods. {sentence}"),
+    "energy_share": _("Energy: {share} of that at release."),
     # TRANSLATORS: turns of the machine's hand, a whole number, compared with the other hand.
     "meets_ahead": _("Now the hands meet. Full turns gained: {turns}."),
     "meets_behind": _("Now the hands meet. Full turns lost: {turns}."),
@@ -127,7 +128,6 @@ TEXTS = {
     "centre": _("Centre of mass of the whole machine"),
     "centre_caption": _("centre of mass"),
     "energy_bar": _("Energy by body. The parts of the bar change; its length is the total energy."),
-    "released": _("energy at release"),
     "dial": _("Two clock hands: each makes one full turn in one period. They stay together if both periods are equal."),
     "dial_start": pgettext("place at the top of a clock", "start"),
     "machine_hand": _("machine, Ω"),

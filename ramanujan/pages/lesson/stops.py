@@ -92,9 +92,9 @@ def draw(
     has_own_slide = display_mode.is_projector() and draw_desk is not None and (running or not stop.exhibit)
     with slide("question", stop.heading):
         if not has_own_slide:
-            words, verdict, picture, reason = draw_containers(stop, running)
+            words, picture = draw_containers(stop)
         else:
-            words = verdict = st.container()
+            words = st.container()
         with words, container("lead", "question"):
             st.title(f"{number}. {stop.heading}", anchor=False)
             # Votes and reason need the room on a desk and a slide; the style sheet also hides the first sentences on a
@@ -106,30 +106,30 @@ def draw(
             if draw_desk:
                 draw_desk()
             else:
-                _draw_answers(stop, chosen, phase, verdict)
+                _draw_answers(stop, chosen, phase)
     if has_own_slide:
         with slide("machine", _("The machine")):
-            _words, _verdict, picture, reason = draw_containers(stop, running)
-    with reason:
+            words, picture = draw_containers(stop)
+    with words:
         if phase == progress.ANSWERED:
             with st.container(key=_result_key(stop, "explanation")):
                 draw_explanation(stop)
     load_new_machine(stop, running)
     # A machine with a label does not follow the sliders. The desk needs its room for the votes.
     if not (stop.exhibit or stop.runs[0].label or draw_desk or display_mode.is_projector()):
-        with reason, st.container(key="lesson_caption"):
+        with words, st.container(key="lesson_caption"):
             st.markdown(f":small[{_write_caption(stop, running)}]")
     with picture:
         # A message of the desk's stage reruns only this fragment.
         st.fragment(draw_observation)(stop, running)
 
 
-def _draw_answers(stop: Stop, chosen: str | None, phase: str, verdict: AbstractContextManager[Any]) -> None:
-    """Draw the options as buttons, or after a choice as a list with the verdict in its container."""
+def _draw_answers(stop: Stop, chosen: str | None, phase: str) -> None:
+    """Draw the options as buttons, or after a choice as a list with the verdict."""
     if chosen is None:
         draw_options(stop)
     else:
-        draw_verdict(stop, chosen, phase, verdict)
+        draw_verdict(stop, chosen, phase)
 
 
 def draw_observation(stop: Stop, running: bool, fixed: bool = False) -> None:
@@ -147,14 +147,8 @@ def draw_observation(stop: Stop, running: bool, fixed: bool = False) -> None:
         draw_machines(stop, running, fixed)
 
 
-def draw_containers(stop: Stop, running: bool) -> tuple[AbstractContextManager[Any], ...]:
-    """Return the containers for words, verdict, picture and reason.
-
-    Machines in a row need the full width. On a wide screen, verdict and reason are then beside the question.
-    """
-    if _arrangement(stop, running) in _SEVERAL.values():
-        several = st.container(key="several")
-        return tuple(several.container(key=f"several_{part}") for part in ("words", "verdict", "picture", "reason"))
+def draw_containers(stop: Stop) -> tuple[AbstractContextManager[Any], ...]:
+    """Return the containers for the words, and for the picture beside them."""
     if display_mode.is_projector():
         # A clock below the machine needs much height, so words are beside it in longer lines.
         picture, words = display_mode.picture_and_words(2.3 if stop.shows_dials or stop.exhibit else 2.5)
@@ -162,7 +156,7 @@ def draw_containers(stop: Stop, running: bool) -> tuple[AbstractContextManager[A
         # Without a clock below it, the machine is as wide as the words allow.
         widths = [5, 6] if stop.shows_dials or stop.exhibit else [2, 3]
         words, picture = st.container(key=None if stop.exhibit else "beside").columns(widths, gap="medium")
-    return words, words, picture, words
+    return words, picture
 
 
 def _arrangement(stop: Stop, running: bool) -> str:
@@ -190,24 +184,21 @@ def draw_options(stop: Stop) -> None:
     widgets.draw_hints(stop.id, [widgets.escape(hint) for hint in stop.hints])
 
 
-def draw_verdict(stop: Stop, chosen: str, phase: str, place: AbstractContextManager[Any]) -> None:
-    """Draw all options with the prediction marked, after the run a verdict on it, and on request the right answer.
-
-    The verdict is in the container `place`.
-    """
+def draw_verdict(stop: Stop, chosen: str, phase: str) -> None:
+    """Draw all options with the prediction marked, after the run a verdict on it, and on request the right answer."""
     is_right = chosen == stop.right
     is_answered = phase == progress.ANSWERED
     # On a phone both parts are above the machine.
     with container("lead", "marked"), st.container(key=_result_key(stop, "marked")):
         shared_elements.draw_options(_mark_options(stop, chosen, is_answered))
-    with place, container("lead", "verdict"):
+    with container("lead", "verdict"):
         if phase == progress.PREDICTED:
             _draw_moves(stop, chosen, stop.observation, progress.ANSWERED if is_right else progress.MISSED)
             return
         with st.container(key="outcome"):
             if _is_observed(stop):
                 with st.container(key="watch"):
-                    watch = _("Watch the hands. The result follows after {n} periods, or when you pause.")
+                    watch = _("The result follows after {n} periods, or when you pause.")
                     st.markdown(watch.format(n=stop.periods))
             with st.container(key=_result_key(stop, "result")):
                 sentence = _draw_result(stop, chosen, is_answered)
@@ -267,7 +258,7 @@ def _draw_moves(stop: Stop, chosen: str, label: str, phase: str) -> None:
 
 def draw_explanation(stop: Stop) -> None:
     """Explain the right option, and link to the page with the details."""
-    if stop.periods and not display_mode.is_projector():
+    if stop.periods and stop.shows_dials and not display_mode.is_projector():
         _draw_hands_button(stop)
     st.markdown(stop.explanation())
     label, page, query = stop.onward

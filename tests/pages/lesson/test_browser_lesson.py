@@ -9,6 +9,7 @@ import pytest
 from playwright.sync_api import expect
 
 from ramanujan import lesson
+from ramanujan.lesson import computing
 from tests.checks.browser import go, next_frame, script, settle
 
 MACHINE = lesson.find_stop("two-clocks").machine
@@ -65,7 +66,7 @@ def test_a_student_takes_the_lesson_and_a_link_preserves_the_place(visit):
     assert other.locator("strong", has_text="Your prediction was right.").is_visible()
     check_machines(visit("lesson?stop=zero-modes&chosen=zero-modes.two", within=other))
     check_stopwatch(visit("lesson?part=tasks&task=period", within=other))
-    check_energies(visit("lesson?stop=steps&chosen=steps.euler", motion="no-preference"))
+    check_energies(visit("lesson?stop=steps", motion="no-preference"))
     # The ending is not a stop.
     assert counted(visit("lesson?stop=end", within=other)) == ["✓", "What you have seen"]
 
@@ -149,23 +150,24 @@ def check_slider(page) -> None:
 
 
 def check_machines(page) -> None:
-    """Check that machines to compare are side by side, and on a phone one below the other."""
+    """Check that machines to compare are below each other, beside the words, at all widths."""
     machines = page.locator(".st-key-observed-several-3 svg.machine")
     expect(machines).to_have_count(3)
-    boxes = [machine.bounding_box() for machine in machines.all()]
-    assert len({round(box["y"]) for box in boxes}) == 1
-    assert all(a["x"] + a["width"] <= b["x"] for a, b in itertools.pairwise(boxes))
-    assert boxes[0]["y"] + boxes[0]["height"] < 720
-    # The reason is above them, beside the question.
-    question, reason = (page.locator(f".st-key-several_{part}").bounding_box() for part in ("words", "reason"))
-    assert question["x"] + question["width"] <= reason["x"]
-    assert max(box["y"] + box["height"] for box in (question, reason)) <= boxes[0]["y"]
-    page.set_viewport_size({"width": 390, "height": 844})
-    next_frame(page)
-    assert len({round(machine.bounding_box()["x"]) for machine in machines.all()}) == 1
-    assert page.evaluate(WIDTH) <= 390
-    # Machines with different rollers have one scale.
+    for width, height in ((1280, 720), (390, 844)):
+        page.set_viewport_size({"width": width, "height": height})
+        next_frame(page)
+        boxes = [machine.bounding_box() for machine in machines.all()]
+        assert len({round(box["x"]) for box in boxes}) == 1
+        assert all(a["y"] + a["height"] <= b["y"] for a, b in itertools.pairwise(boxes))
+        assert page.evaluate(WIDTH) <= width
+        # They have the controls of their clock once.
+        assert page.locator(".st-key-observed-several-3 .controls:visible").count() == 1
     page.set_viewport_size({"width": 1280, "height": 720})
+    next_frame(page)
+    last, reason = machines.last.bounding_box(), page.locator(".st-key-explanation").bounding_box()
+    assert last["y"] + last["height"] < 720
+    assert reason["x"] + reason["width"] <= last["x"]
+    # Machines with different rollers have one scale.
     go(page, "lesson?stop=radius&chosen=radius.same")
     pictures = page.locator(".st-key-observed-several-2 svg.machine").all()
     sizes = {(picture.bounding_box()["width"], *picture.get_attribute("viewBox").split()[2:]) for picture in pictures}
@@ -174,14 +176,25 @@ def check_machines(page) -> None:
 
 
 def check_energies(page) -> None:
-    """Check that the exact energy ends at the mark of the release, and that explicit Euler's goes beyond it."""
-    bars = page.locator(".st-key-observed-several-3 .energy")
-    expect(bars).to_have_count(3)
-    exact, euler, _verlet = bars.all()
-    beyond = """(energy) => energy.querySelector('.bar i:last-child').getBoundingClientRect().right
-      - energy.querySelector('.released').getBoundingClientRect().left"""
-    page.wait_for_function(f"(energy) => ({beyond})(energy) > 3", arg=euler.element_handle())
-    assert exact.evaluate(beyond) == pytest.approx(0, abs=1)
+    """Check that the bars are those of the counted period, and that the verdict waits for the last one."""
+    picture = page.locator("[class*=st-key-observed-] .scene")
+    predict(page, "A. In the first run.")
+    alone = picture.bounding_box()["x"]
+    predict(page, "Run the machine")
+    # The picture stays beside the words.
+    assert picture.first.bounding_box()["x"] == pytest.approx(alone, abs=1)
+    sentences, bars = picture.locator(".total"), picture.locator(".bar")
+    expect(sentences).to_have_count(3)
+    expect(sentences.first).to_have_text(re.compile(r"^[1-9] of 20 periods"))
+    expect(page.locator(".st-key-watch")).to_be_visible()
+    expect(page.locator(".st-key-result_waits")).to_be_hidden()
+    expect(page.locator(".st-key-result_waits")).to_be_visible(timeout=60_000)
+    ratios = [1.0, *(computing.final_energy_ratio(method) for method in computing.STEPS_PER_PERIOD)]
+    share = "(bar) => bar.firstElementChild.getBoundingClientRect().width / bar.getBoundingClientRect().width"
+    for ratio, sentence, bar in zip(ratios, sentences.all(), bars.all(), strict=True):
+        # All machines rest at the same moment.
+        assert sentence.inner_text() == f"20 of 20 periods. Energy: {100 * ratio:.0f}\u202f% of that at release."
+        assert bar.evaluate(share) == pytest.approx(ratio / computing.largest_energy(), abs=0.01)
 
 
 def check_stopwatch(page) -> None:
