@@ -134,10 +134,10 @@ def check_control(page) -> None:
 FOCUSED = (
     "[data-testid=stExpander] summary",
     ".st-key-more button",
-    ".st-key-question input",
-    ".stTextInput input",
-    "[data-testid=stFormSubmitButton] button",
+    ".st-key-route input",
+    ".st-key-questions button",
 )
+IN_A_QUESTION = ".stTextInput input", "[data-testid=stFormSubmitButton] button"
 
 
 def check_focus(page, theme: str, focused: tuple[str, ...]) -> None:
@@ -172,6 +172,12 @@ def test_everyone_can_use_and_read_a_page(visit, server, name):
         page.locator(".st-key-more button").click()
         page.locator(".st-key-show button").nth(1).click()
         page.keyboard.press("Escape")
+        settle(page)
+        page.locator(".st-key-questions button").first.click()
+        settle(page)
+        assert audit(page) == []
+        check_focus(page, "dark", IN_A_QUESTION)
+        page.locator(".st-key-close_question button").click()
         settle(page)
     if name in SHEETS:
         check_printed(page, SHEETS[name])

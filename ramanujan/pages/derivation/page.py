@@ -21,7 +21,7 @@ from ramanujan.shell import address, display_mode, menu, messages, sidebar, stag
 from ramanujan.shell.display_mode import columns, slide
 from ramanujan.shell.pending_updates import set_widgets
 from ramanujan.shell.sections.cubes import draw_stacks
-from ramanujan.shell.sections.typed_answer import QUESTION, draw_section
+from ramanujan.shell.sections.typed_answer import QUESTION, draw_chosen, draw_section
 from ramanujan.shell.shared_cache import symbols
 from ramanujan.text.names import PARTS
 from ramanujan.text.translation import _
@@ -66,7 +66,14 @@ class Setting:
 
 
 def show() -> None:
-    """Draw the page."""
+    """Draw the page, or only the open question."""
+    question = address.update(QUESTION)
+    if question:
+        with slide("try", _("Try it yourself")):
+            draw_chosen(question)
+        # Also write the parameters of parts that are hidden now.
+        address.update(*URL_PARAMETERS)
+        return
     setting = draw_route()
     with slide("results", _("The results")):
         compare_routes()
@@ -78,7 +85,7 @@ def show() -> None:
         draw_section()
     keys.return_focus("route", "show", "values", "masses")
     if not setting.numbers:
-        sidebar.set_dependent_fragments("beside", "results", "modes", "asked_machine")
+        sidebar.set_dependent_fragments("beside", "results", "modes")
 
 
 # ---- display options

@@ -16,7 +16,8 @@ from ramanujan.shell.equation_blocks import typeset_beside_machine
 from ramanujan.shell.shared_cache import responsive
 from ramanujan.text.translation import _
 
-QUESTION = address.Choice("question", tuple(QUESTIONS), next(iter(QUESTIONS)))
+QUESTION = address.Choice("question", tuple(QUESTIONS))
+"""The open question. The page then leaves out its steps and results, which contain the answers."""
 VERDICTS = {
     "right": (st.success, ":material/check_circle:"),
     "unsimplified": (st.info, ":material/compress:"),
@@ -39,21 +40,28 @@ class GivenAnswer:
 
 
 def draw_section() -> None:
-    """Draw a question with its verdict, and list the solved questions."""
+    """Draw a button for each question, which opens it."""
     st.header(_("Try it yourself"), anchor="try")
-    # These labels must not change, because the browser identifies an option by its label.
-    titles = {question: find_title(question) for question in QUESTIONS}
-    name = widgets.selectbox(QUESTION, _("What do you want to work out?"), titles)
-    judge_typed(name)
-    draw_question(name)
-    solved = [question for question in QUESTIONS if is_solved(question)]
-    following = find_unsolved(name)
-    if name in solved and following:
-        label = _("Next: {title}").format(title=find_title(following))
-        st.button(label, key="next_question", type="primary", on_click=_choose, args=(following,))
+    solved = [name for name in QUESTIONS if is_solved(name)]
     if solved:
         st.markdown(_("**Solved so far: {n} of {all}**").format(n=len(solved), all=len(QUESTIONS)))
-        st.markdown("\n".join(f"- :green[:material/check_circle:] {find_title(question)}" for question in solved))
+    with st.container(key="questions"):
+        for name in QUESTIONS:
+            icon = ":material/check_circle:" if name in solved else ":material/edit:"
+            st.button(find_title(name), key=f"open_{name}", type="tertiary", icon=icon, on_click=choose, args=(name,))
+
+
+def draw_chosen(name: str) -> None:
+    """Draw the chosen question with its verdict, and buttons that lead to the next one and back to the page."""
+    st.title(find_title(name), anchor=False)
+    judge_typed(name)
+    draw_question(name)
+    following = find_unsolved(name)
+    with st.container(horizontal=True, key="after_question"):
+        if is_solved(name) and following:
+            label = _("Next: {title}").format(title=find_title(following))
+            st.button(label, key="next_question", type="primary", on_click=choose, args=(following,))
+        st.button(_("Back to the derivation"), key="close_question", on_click=choose, args=(None,))
 
 
 def find_unsolved(name: str) -> str | None:
@@ -63,7 +71,8 @@ def find_unsolved(name: str) -> str | None:
     return next((question for question in names[place:] + names[:place] if not is_solved(question)), None)
 
 
-def _choose(name: str) -> None:
+def choose(name: str | None) -> None:
+    """Callback: open a question, or close it."""
     st.session_state[QUESTION.name] = name
 
 
@@ -144,9 +153,11 @@ def draw_box(name: str, with_step: bool) -> None:
             placeholder=_("For example {formula}").format(formula=shown.example),
         )
         st.form_submit_button(_("Check"), type="primary")
-    if text:
-        draw_verdict(judge_answer(name, text), typeset_as_parsed(text, is_equation))
-    if widgets.draw_hints(name, shown.hints, _("Show me this step") if with_step else ""):
+    verdict = judge_answer(name, text) if text else None
+    if verdict:
+        draw_verdict(verdict, typeset_as_parsed(text, is_equation))
+    is_right = verdict is not None and verdict.kind == "right"
+    if not is_right and widgets.draw_hints(name, shown.hints, _("Show me this step") if with_step else ""):
         st.latex(typeset_answer_step(name))
     # Derive the right answer now, so that the first verdict does not take long.
     with st.spinner(_("Deriving the answer …"), show_time=False):

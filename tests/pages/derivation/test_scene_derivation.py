@@ -33,7 +33,8 @@ def page(app):
 
 def sound(app):
     assert not app.exception
-    assert app.title[0].value == "Many ways to one frequency"
+    name = app.session_state.get("question", None)
+    assert app.title[0].value == (typed_answer.find_title(name) if name else "Many ways to one frequency")
     return app
 
 
@@ -187,6 +188,16 @@ def test_a_link_leads_from_the_steps_to_the_questions(page):
     assert len(links) == len({find_question(name).steps[-1] for name in QUESTIONS})
     (section,) = (header.proto for header in page.header if header.value == "Try it yourself")
     assert section.anchor == "try"
+
+
+def test_an_open_question_hides_steps_and_results(page):
+    assert page.latex
+    sound(page.button(key="open_natural_frequency_squared").click().run())
+    assert not page.latex
+    assert page.query_params["question"] == "natural_frequency_squared"
+    sound(page.button(key="close_question").click().run())
+    assert page.latex
+    assert "question" not in page.query_params
 
 
 def answer(app, question: str, text: str):
