@@ -32,21 +32,20 @@ CurveArrays = tuple[np.ndarray, np.ndarray, np.ndarray]
 
 def draw_error_growth(
     curves: Mapping[str, tuple[np.ndarray, np.ndarray]],
-    chosen: str | None,
     *,
     title: str,
     limits: tuple[float, float],
     allowed: float | None,
     colors: Colors,
 ) -> EncodedFigure:
-    """Draw an error of all methods against the number of periods, both logarithmic; the axes never change.
+    """Draw an error of runs against the number of periods, both logarithmic; the axes never change.
 
     Each line has its name at the right edge, with an arrow if the line ends outside of the figure.
 
     Parameters
     ----------
-    curves : name of each method → numbers of periods from 1, and the error after them
-    chosen : the name of the method that is drawn strongly, if any, among gray ones
+    curves : name of each run → numbers of periods from 1, and the error after them. The last run is drawn strongly, and
+        above the others, which are gray.
     title : of the error axis
     limits : of the error axis. A line with other errors leaves the figure.
     allowed : the largest error allowed, if any
@@ -54,12 +53,10 @@ def draw_error_growth(
     """
     traces = []
     line_ends = {}
-    chosen_label = None
+    chosen, chosen_label = [*curves][-1], None
     symbols = dict(zip(curves, logarithmic.SYMBOLS, strict=False))
     right = max(float(periods[-1]) for periods, _errors in curves.values())
-    # Draw the chosen method last, above the others.
-    for name in sorted(curves, key=lambda name: name == chosen):
-        periods, errors = curves[name]
+    for name, (periods, errors) in curves.items():
         look = {"color": colors["primary"], "width": _STRONG} if name == chosen else _gray(colors)
         curve = line(periods, select_drawable(errors, limits[1]), **look)
         properties = {

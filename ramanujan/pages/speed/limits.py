@@ -62,7 +62,7 @@ _START = {"time": -1, "ratio": 75, "scale": 75}
 
 # The note on a sample, by what the critical step of the plain formula returns.
 _AGREE = _("Both are right to {digits} digits. Now drag the slider, and watch the digits.")
-_PREDICT = _("Choose an answer first. Then drag the slider.")
+_PREDICT = _("Choose an answer first.")
 _NOTES = {
     "time": {
         "losing": _(
@@ -88,7 +88,7 @@ _NOTES = {
 
 
 def draw_digits() -> None:
-    """Draw a question on two formulas, and a slider to the extremes, which moves after the prediction."""
+    """Draw a question on two formulas, and after the prediction a slider to the extremes."""
     with st.container(key="digits_head"):
         st.header(TITLE, anchor=False)
         name = widgets.segmented_control(EXPERIMENT, _("What becomes extreme"), label_visibility="collapsed")

@@ -24,6 +24,8 @@ TOPICS = {
     "price": _("**Price** *What does accuracy cost?*"),
     "limits": _("**Limits** *Where do numbers end?*"),
 }
+# Number of runs whose errors are drawn, the last ones.
+_MOST_LINES = 4
 TOPIC = address.Choice("topic", TOPICS, "race")
 ERRORS = {"phase": _("Phase"), "energy": _("Energy")}
 ERROR = address.Choice("error", ERRORS, "phase")
@@ -89,7 +91,8 @@ def draw_race() -> None:
             draw_error_growth()
         return
     draw_game()
-    draw_error_growth()
+    if challenge.tried_runs():
+        draw_error_growth()
     method, steps = address.current(METHOD), address.current(STEPS)
     with display_mode.fold("methods", _("What each of the {count} methods does").format(count=len(METHODS))):
         widgets.table(verdicts.method_table(), "methods")
@@ -140,9 +143,9 @@ def draw_limits() -> None:
 
 
 def draw_error_growth() -> None:
-    """Draw how an error of all methods grows. The selected method stands out once it has run."""
-    method, steps = address.current(METHOD), address.current(STEPS)
-    has_run = (method, steps) in challenge.tried_runs()
+    """Draw how an error grows in the reader's last runs. On a slide before the first run, draw the selected one."""
+    selected = address.current(METHOD), address.current(STEPS)
+    runs = (challenge.tried_runs() or [selected])[-_MOST_LINES:]
     if display_mode.is_projector():
         head = st.container()
         place, words = st.columns([2, 1], gap="medium")
@@ -155,40 +158,34 @@ def draw_error_growth() -> None:
         error = widgets.segmented_control(ERROR, _("Error"), label_visibility="collapsed")
         scale = _("Each line up is 10 times the one below.")
         st.markdown(f"{_EXPLANATIONS[error]} {scale}")
-        if not has_run:
-            st.markdown(_("Which line belongs to your run? Press *Run*, and it stands out."))
         if not display_mode.is_projector():
-            st.markdown(verdicts.describe_method(METHODS[method]))
-    runs = {name: cache.run(name, steps) for name in METHODS}
-    curves = {}
-    for name, run in runs.items():
+            st.markdown(verdicts.describe_method(METHODS[runs[-1][0]]))
+    curves, sentences = {}, []
+    for method, steps in runs:
+        run = cache.run(method, steps)
         # The first period is outside of the figure.
         shown = run.times >= 1
         values = run.energy if error == "energy" else run.phase / math.tau
-        curves[METHODS[name].title] = run.times[shown], values[shown]
+        name = f"{METHODS[method].title}, {steps}"
+        curves[name] = run.times[shown], values[shown]
+        sentences.append(_describe_error(name, run))
     title, ends = _AXES[error]
     figure = figures.draw_error_growth(
-        curves,
-        METHODS[method].title if has_run else None,
-        title=title,
-        limits=ends,
-        allowed=WITHIN if error == "phase" else None,
-        colors=theme.colors(),
+        curves, title=title, limits=ends, allowed=WITHIN if error == "phase" else None, colors=theme.colors()
     )
-    alternative = _("The errors of all methods over {periods} periods, with the same steps. {errors}")
-    sentences = " ".join(map(_describe_error, runs.values()))
+    alternative = _("The errors of runs over {periods} periods, each with its steps per period. {errors}")
     with place:
-        drawings.plot(figure, "growth", alternative.format(periods=PERIODS, errors=sentences))
+        drawings.plot(figure, "growth", alternative.format(periods=PERIODS, errors=" ".join(sentences)))
 
 
-def _describe_error(run: SampledRun) -> str:
-    """State the error of a run at its end."""
+def _describe_error(name: str, run: SampledRun) -> str:
+    """State the error of a run with this name at its end."""
     worst = float(np.max(run.energy))
     if not (math.isfinite(run.phase_at_end) and math.isfinite(worst)):
         sentence = _("{method}: the energy has grown beyond the largest floating-point number.")
-        return sentence.format(method=METHODS[run.method].title)
+        return sentence.format(method=name)
     sentence = _("{method}: phase error {turns:2} turns, relative energy error up to {energy:2↑}.")
-    return filled(sentence, method=METHODS[run.method].title, turns=abs(run.phase_at_end) / math.tau, energy=worst)
+    return filled(sentence, method=name, turns=abs(run.phase_at_end) / math.tau, energy=worst)
 
 
 if __name__ == "__main__":

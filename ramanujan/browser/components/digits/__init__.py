@@ -13,7 +13,7 @@ def mount(key: str, data: Mapping[str, Any]) -> Any:
     ----------
     key : Streamlit's key of the element. A new key starts the slider again.
     data : label, start : label of the slider, and number of the first sample shown
-        locked : whether the slider is disabled
+        locked : whether the slider is hidden
         head : titles of the four columns
         rows : name and formula of both formulas and of the exact value, as HTML
         all : the number of digits of a value that is right to all its digits

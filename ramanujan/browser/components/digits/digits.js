@@ -35,7 +35,7 @@ export default function (component, signal) {
     slider.max = samples.length - 1;
     if (slider.dataset.label !== label) slider.value = start;
     slider.dataset.label = label;
-    slider.disabled = locked;
+    slider.hidden = locked;
     show();
   };
 }
