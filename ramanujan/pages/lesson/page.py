@@ -235,11 +235,8 @@ def draw_task(head: st.delta_generator.DeltaGenerator) -> None:
 def draw_notes(_head: st.delta_generator.DeltaGenerator) -> None:
     """Draw the choice between all stops and a short lesson, and the lecturer's notes on its stops."""
     st.html(_WITHOUT_DRAWER)
-    # At the desk of a class the notes are open. A reader first gets a warning that they contain answers.
-    label = _("Show the notes on all stops. They name the right answers.")
     with slide("notes", _("Lecturer’s notes")):
-        _draw_introduction()
-        shows_answers = bool(class_session.lecturer_key()) or st.toggle(label, key="notes_shown")
+        shows_answers = _draw_introduction()
     with st.container(key="notes_list"):
         path = progress.list_stops()
         for start in range(0, len(path), _NOTES_PER_SLIDE):
@@ -253,8 +250,8 @@ def draw_notes(_head: st.delta_generator.DeltaGenerator) -> None:
             st.markdown(f"##### {heading}\n{sources}")
 
 
-def _draw_introduction() -> None:
-    """Draw the introduction of the notes, and the choice of the lesson's length."""
+def _draw_introduction() -> bool:
+    """Draw the introduction of the notes and the choice of the lesson's length. Return whether the notes are open."""
     st.title(_("Lecturer’s notes"), anchor=False)
     lengths = {"short": [stop for stop in lesson.STOPS if stop.is_in_short_lesson], "all": lesson.STOPS}
     template = _("{stops} stops in {minutes} minutes")
@@ -265,17 +262,21 @@ def _draw_introduction() -> None:
     with choice:
         widgets.pills(progress.LENGTH, _("How long is the lesson?"), labels)
         st.caption(_("Without a choice, a class goes through the short lesson, and a reader through all of it."))
+        # At the desk of a class the notes are open. A reader first gets a warning that they contain answers.
+        label = _("Show the notes on all stops. They name the right answers.")
+        shows_answers = bool(class_session.lecturer_key()) or st.toggle(label, key="notes_shown")
     with introduction:
         st.markdown(lesson.INTRODUCTION)
+    return shows_answers
 
 
 def _draw_note(number: int, stop: lesson.Stop, shows_answer: bool) -> None:
     """Draw the question of a stop, and on demand its purpose, what to expect, and the right answer."""
     time = ngettext("{n} minute", "{n} minutes", stop.minutes).format(n=stop.minutes)
-    lines = [f"##### {number}. {stop.heading} :small[({time})]", f"*{last_sentence(stop.question)}*"]
+    lines = [f"##### {number}. {stop.heading} :small[({time})]", last_sentence(stop.question)]
     if shows_answer:
         right = _("Right answer: {label}").format(label=stop.options[stop.right])
-        lines += [f"{stop.purpose} {stop.expect}", f"**{right}**"]
+        lines += [f"**{right}**", f"{stop.purpose} {stop.expect}"]
     st.markdown("  \n".join(lines))
 
 
