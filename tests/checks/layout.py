@@ -15,6 +15,10 @@ CUT = """[...document.querySelectorAll(".stMain .stColumn")].filter((each) => ea
         .map((node) => node.textContent))"""
 """The controls that extend beyond their column."""
 
+SCROLLED = """() => [...document.querySelectorAll("[class*=st-key-slide-]:not([data-away]) .katex-display")]
+  .filter((node) => node.scrollWidth > node.clientWidth + 1).map((node) => node.textContent.slice(0, 30))"""
+"""The formulas of the present slide that are wider than their boxes."""
+
 OPEN = """() => {
   for (const each of document.querySelectorAll("details:not([open]) > summary")) each.click();
 }"""

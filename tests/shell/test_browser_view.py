@@ -6,7 +6,7 @@ import pytest
 from playwright.sync_api import expect
 
 from tests.checks.browser import GO, MOUNTED, STAGE, next_frame, restyles, script, settle, traffic, until, wait_for_page
-from tests.checks.layout import FITTED, OVERLAPS
+from tests.checks.layout import FITTED, OVERLAPS, SCROLLED
 from tests.checks.slow_network import Network
 
 
@@ -61,9 +61,6 @@ SENTENCES = script("small_sentences")
 """The small sentences of the present slide, if the slide has room."""
 LAYOUT = script("slide_size")
 """The number of visible slides, their overflow, and the used share of the slide's height."""
-SCROLLED = """() => [...document.querySelectorAll("[class*=st-key-slide-]:not([data-away]) .katex-display")]
-  .filter((node) => node.scrollWidth > node.clientWidth + 1).map((node) => node.textContent.slice(0, 30))"""
-"""The formulas of the present slide that are wider than their boxes."""
 CLIPPED_TEXTS = script("cut_figures")
 """The texts of figures that are clipped at an edge of the figure."""
 BAR = """() => {

@@ -50,7 +50,7 @@ def unit_equations(ink: str, paper: str) -> str:
     value = rf"\colorbox{{{ink}}}{{\textcolor{{{paper}}}{{\textbf{{{square.rhs}}}}}}}"
     return aligned(
         f"{latex(in_step)} = 1",
-        _operation(rf"\times\left({latex(sp.fraction(in_step.rhs)[1])}\right)", unit.operations[-1]),
+        _operation(rf"\times({latex(sp.fraction(in_step.rhs)[1])})", unit.operations[-1]),
         latex(quadratic),
         _operation(rf"{root.operations[1]}=4\cdot{a}", margin_text(_("complete the square"))),
         written_out,
@@ -59,8 +59,12 @@ def unit_equations(ink: str, paper: str) -> str:
 
 
 def _operation(*parts: str) -> str:
-    """Return an operation between two equations. It begins left of their equals signs, to fit into a narrow column."""
-    return r"&\kern-5em\small\downarrow\;" + r",\;".join(parts)
+    """Return an operation between two equations. It begins left of their equals signs, to fit into a narrow column.
+
+    It has no width, because WebKit makes a formula with a negative space too wide.
+    """
+    operation = r"\small\downarrow\;" + r",\;".join(parts)
+    return rf"\mathllap{{\mathrlap{{{operation}}}\kern6em}}&"
 
 
 def aligned(*equations: str) -> str:
