@@ -23,7 +23,7 @@ _SYMBOL = 7
 _LONGEST_NAME = 18
 """The largest number of letters of a name in one line at the right edge."""
 _LINE_HEIGHT = 0.08
-"""The height of a line of a name on a slide, in fractions of the plotting area."""
+"""The height of a line of a name, in fractions of the plotting area. Long names have half a line between them."""
 
 
 CurveArrays = tuple[np.ndarray, np.ndarray, np.ndarray]
@@ -35,6 +35,7 @@ def draw_error_growth(
     *,
     title: str,
     limits: tuple[float, float],
+    periods: float,
     allowed: float | None,
     colors: Colors,
 ) -> EncodedFigure:
@@ -48,17 +49,18 @@ def draw_error_growth(
         above the others, which are gray.
     title : of the error axis
     limits : of the error axis. A line with other errors leaves the figure.
+    periods : the right end of the other axis
     allowed : the largest error allowed, if any
     colors : the theme's
     """
     traces = []
     line_ends = {}
-    chosen, chosen_label = [*curves][-1], None
+    chosen, chosen_label = [*curves][-1] if curves else None, None
     symbols = dict(zip(curves, logarithmic.SYMBOLS, strict=False))
-    right = max(float(periods[-1]) for periods, _errors in curves.values())
-    for name, (periods, errors) in curves.items():
+    right = float(periods)
+    for name, (times, errors) in curves.items():
         look = {"color": colors["primary"], "width": _STRONG} if name == chosen else _gray(colors)
-        curve = line(periods, select_drawable(errors, limits[1]), **look)
+        curve = line(times, select_drawable(errors, limits[1]), **look)
         properties = {
             "name": name,
             # Some lines end at the same point, so each has a symbol.
@@ -263,8 +265,8 @@ def _name_lines(
     """
     low, high = np.log10(limits)
     names = sorted(line_ends, key=lambda name: -line_ends[name][1])
-    labels = [name if len(name) <= _LONGEST_NAME else name.replace(" ", "<br>", 1) for name in names]
-    halves = [(high - low) * _LINE_HEIGHT * (label.count("<br>") + 1) / 2 for label in labels]
+    labels = [_break_name(name) for name in names]
+    halves = [(high - low) * _LINE_HEIGHT * (1.5 * label.count("<br>") + 1) / 2 for label in labels]
     ends = [float(np.clip(np.log10(line_ends[name][1]), low, high)) for name in names]
     levels = [10.0**height for height in spread(ends, halves, low, high)]
     edge = right * 10**leader
@@ -293,6 +295,13 @@ def _name_lines(
         "ticktext": texts,
     }
     return leaders, right_axis
+
+
+def _break_name(name: str) -> str:
+    """Break a long name in two lines, after its comma or its first word."""
+    if len(name) <= _LONGEST_NAME:
+        return name
+    return name.replace(", " if ", " in name else " ", "<br>", 1)
 
 
 def draw_phase_errors(

@@ -67,7 +67,7 @@ SENTENCES = {
     "computed_agrees": _("Both hands agree to {least} of a turn."),
     "computed_ahead": _("The computed machine is {turns} turns ahead."),
     "computed_behind": _("The computed machine is {turns} turns behind."),
-    "once_a_period": _("Shown after each full period. Gray band: the error allowed."),
+    "once_a_period": _("After each full period, the exact hand is back at the top. Gray band: the error allowed."),
     # TRANSLATORS: the distance between the exact and the computed machine, such as 3.4 cm.
     "gap": _("{gap} apart"),
     "shared": _(

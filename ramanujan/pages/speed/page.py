@@ -25,7 +25,7 @@ TOPICS = {
     "limits": _("**Limits** *Where do numbers end?*"),
 }
 # Number of runs whose errors are drawn, the last ones.
-_MOST_LINES = 4
+_MOST_LINES = 3
 TOPIC = address.Choice("topic", TOPICS, "race")
 ERRORS = {"phase": _("Phase"), "energy": _("Energy")}
 ERROR = address.Choice("error", ERRORS, "phase")
@@ -91,8 +91,7 @@ def draw_race() -> None:
             draw_error_growth()
         return
     draw_game()
-    if challenge.tried_runs():
-        draw_error_growth()
+    draw_error_growth()
     method, steps = address.current(METHOD), address.current(STEPS)
     with display_mode.fold("methods", _("What each of the {count} methods does").format(count=len(METHODS))):
         widgets.table(verdicts.method_table(), "methods")
@@ -143,9 +142,8 @@ def draw_limits() -> None:
 
 
 def draw_error_growth() -> None:
-    """Draw how an error grows in the reader's last runs. On a slide before the first run, draw the selected one."""
-    selected = address.current(METHOD), address.current(STEPS)
-    runs = (challenge.tried_runs() or [selected])[-_MOST_LINES:]
+    """Draw how an error grows in the reader's last runs. Before the first run, ask where its line will end."""
+    runs = challenge.tried_runs()[-_MOST_LINES:]
     if display_mode.is_projector():
         head = st.container()
         place, words = st.columns([2, 1], gap="medium")
@@ -158,22 +156,29 @@ def draw_error_growth() -> None:
         error = widgets.segmented_control(ERROR, _("Error"), label_visibility="collapsed")
         scale = _("Each line up is 10 times the one below.")
         st.markdown(f"{_EXPLANATIONS[error]} {scale}")
+        if not runs:
+            st.markdown(_("Where will the line of your run end? Press *Run*."))
         if not display_mode.is_projector():
-            st.markdown(verdicts.describe_method(METHODS[runs[-1][0]]))
+            st.markdown(verdicts.describe_method(METHODS[address.current(METHOD)]))
     curves, sentences = {}, []
     for method, steps in runs:
         run = cache.run(method, steps)
         # The first period is outside of the figure.
         shown = run.times >= 1
         values = run.energy if error == "energy" else run.phase / math.tau
-        name = f"{METHODS[method].title}, {steps}"
+        name = challenge.name_run(method, steps)
         curves[name] = run.times[shown], values[shown]
         sentences.append(_describe_error(name, run))
     title, ends = _AXES[error]
     figure = figures.draw_error_growth(
-        curves, title=title, limits=ends, allowed=WITHIN if error == "phase" else None, colors=theme.colors()
+        curves,
+        title=title,
+        limits=ends,
+        periods=PERIODS,
+        allowed=WITHIN if error == "phase" else None,
+        colors=theme.colors(),
     )
-    alternative = _("The errors of runs over {periods} periods, each with its steps per period. {errors}")
+    alternative = _("The errors of your last runs over {periods} periods. {errors}")
     with place:
         drawings.plot(figure, "growth", alternative.format(periods=PERIODS, errors=" ".join(sentences)))
 

@@ -15,7 +15,7 @@ def test_a_run_is_drawn_no_control_is_cut_and_the_diagram_is_measured(visit):
     page = visit("speed?steps=8", width=900, figures=False)
     run, label = page.locator(".st-key-run button"), page.locator(".st-key-stage_race .label")
     result = page.locator(".st-key-race_result p").first
-    places = "['race', 'race_result'].map((key) => document.querySelector(`.st-key-${key}`).offsetTop)"
+    places = "['race', 'growth', 'race_result'].map((key) => document.querySelector(`.st-key-${key}`).offsetTop)"
     height = "document.querySelector('.st-key-race').offsetHeight"
     reserved = page.evaluate(f"[...{places}, {height}]")
     run.click()

@@ -58,7 +58,7 @@ def one_run(method: str, steps: int, periods: int) -> downsampling.SampledRun:
 def test_the_page_opens_without_measuring_the_diagram_and_ignores_the_parameters_of_old_links(app, monkeypatch):
     monkeypatch.setattr(cache, "diagram_curve", None)
     page(app, periods="300", compare="all", precision="float32", method="rk4")
-    assert "checks the error after 30 periods" in words(app)
+    assert "says how many turns the computed machine is ahead or behind" in words(app)
     assert not app.warning
     assert dict(app.query_params) == {"method": "rk4"}
 
@@ -85,9 +85,7 @@ def test_every_topic_begins_with_its_sentence_and_each_method_is_explained_where
         assert idea == method.idea
         assert int(evaluations) == method.evaluations
         assert factor == f"1/{2**method.order} of the error (order {method.order})"
-    app.button(key="run").click().run()
     assert f"**{METHODS['rk4'].title}** {METHODS['rk4'].idea}." in words(app)
-    assert "says how many turns the computed machine is ahead or behind" in words(app)
 
 
 @pytest.mark.parametrize("method", METHODS)
@@ -358,7 +356,9 @@ def test_a_number_under_the_pointer_is_written_as_in_a_sentence():
     more = {"titles": ("cost", "error"), "limits": (1e-8, 1.0), "tolerance": 1e-3, "tried": [(1e7, 3.2e-7)]}
     marked_runs = {"cheapest": figures.MarkedRun(cost=1.0, error=3.2e-7, symbol="star", size=15, color="ink")}
     drawings = (
-        figures.draw_error_growth({"a": (x, errors)}, title="error", limits=(1e-8, 1.0), allowed=1e-2, colors=colors),
+        figures.draw_error_growth(
+            {"a": (x, errors)}, title="error", limits=(1e-8, 1.0), periods=1e7, allowed=1e-2, colors=colors
+        ),
         figures.draw_work_precision({"a": (x, errors, x)}, chosen="a", marked_runs=marked_runs, colors=colors, **more),
         figures.draw_phase_errors(x, dict.fromkeys("abc", errors), "a", colors),
     )
@@ -375,21 +375,24 @@ def test_a_number_under_the_pointer_is_written_as_in_a_sentence():
 
 def test_the_growth_of_errors_has_fixed_axes_and_a_line_for_each_run_of_the_reader(app):
     page(app)
-    # A prediction comes first: nothing shows the errors before a run.
-    assert not app.get("plotly_chart")
+    # A prediction comes first: no method has a line before its run.
+    [chart] = app.get("plotly_chart")
+    assert [trace["name"] for trace in json.loads(chart.proto.spec)["data"] if "name" in trace] == ["error allowed"]
+    assert "Where will the line of your run end?" in words(app)
     axes, names = [], []
     for method, steps in (("rk4", 12), ("explicit_euler", 3), ("yoshida6", 192), ("rk4", 20), ("velocity_verlet", 50)):
         app.selectbox(key="method").set_value(method)
         app.number_input(key="steps").set_value(steps).run()
         app.button(key="run").click().run()
+        assert "Where will the line of your run end?" not in words(app)
         assert "Each line up is 10 times the one below." in words(app)
         [chart] = app.get("plotly_chart")
         drawn = json.loads(chart.proto.spec)
         axes.append([drawn["layout"][axis]["range"] for axis in ("xaxis", "yaxis")])
         assert drawn["layout"]["yaxis"]["dtick"] == 1
-        names.append(f"{METHODS[method].title}, {steps}")
+        names.append(f"{METHODS[method].title}, {steps} steps per period")
         lines = {trace["name"]: trace for trace in drawn["data"] if "marker" in trace and "name" in trace}
-        assert list(lines) == names[-4:]
+        assert list(lines) == names[-3:]
         # Each line has a symbol of its own, also at its name, and only the last one is strong.
         in_lines = [trace["marker"]["symbol"] for trace in lines.values()]
         marked = [trace["marker"]["symbol"] for trace in drawn["data"] if "marker" in trace and "name" not in trace]
@@ -398,7 +401,7 @@ def test_the_growth_of_errors_has_fixed_axes_and_a_line_for_each_run_of_the_read
         *grays, strong = (trace["line"]["color"] for trace in lines.values())
         assert strong not in grays
         assert len(set(grays)) <= 1
-        labels = [text.replace("<br>", " ") for text in drawn["layout"]["yaxis2"]["ticktext"]]
+        labels = [text.replace("<br>", ", ") for text in drawn["layout"]["yaxis2"]["ticktext"]]
         assert [label for label in labels if "<b" in label] == [label for label in labels if names[-1] in label]
         # A line that ends outside of the figure has an arrow.
         arrows = {"explicit_euler": " ↑", "yoshida6": " ↓"}
