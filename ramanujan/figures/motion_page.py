@@ -32,6 +32,8 @@ _ABOVE = 28
 """The margins below and above the plotting area [px]."""
 _LEAST_HEIGHT = 0.07
 """The least height of an area with a name, in fractions of the axis: the letters of a slide."""
+_GAP = 0.09
+"""The gap between two panels, in fractions of the plotting area."""
 _LEADER = 16
 """The length of the line from the end of a curve to its name [px]."""
 _LINE_HEIGHT, _PLANE_LINE_HEIGHT, _FLAT_LINE_HEIGHT = 0.095, 0.13, 0.16
@@ -49,7 +51,7 @@ class TimeCurve:
     """A curve against time, with its values at equal steps.
 
     `name` appears in the hover text, and `label` in the colour `ink` beside the curve. Curves that are
-    `is_stacked` are filled and lie on top of each other.
+    `is_stacked` are filled and lie on top of each other. The area from zero to a curve that `is_filled` is tinted.
     """
 
     name: str
@@ -61,6 +63,7 @@ class TimeCurve:
     opacity: float = 1.0
     is_stacked: bool = False
     is_hatched: bool = False
+    is_filled: bool = False
     ink: str | None = None
 
     @property
@@ -86,16 +89,16 @@ class Panel:
     named_before_end: float = 0.0
 
 
-def draw_panel(
-    panel: Panel, *, period: float, periods: int, edge: float | None, colors: Mapping[str, str]
+def draw_panels(
+    panels: Sequence[Panel], *, period: float, periods: int, edge: float | None, colors: Mapping[str, str]
 ) -> EncodedFigure:
-    """Draw curves over a time axis that starts at release.
+    """Draw panels of equal height below each other, over a common time axis that starts at release.
 
     Each line has its name at its end, and each stacked area in the area or above it.
 
     Parameters
     ----------
-    panel : every curve has its values at the same n equal steps from 0 to periods · period
+    panels : every curve has its values at the same n equal steps from 0 to periods · period
     period : of the machine [s]; a line marks the end of the first period
     periods : number of periods on the time axis, at least one
     edge : the time at which the top cylinder is at an edge of the block [s], or None. Its line replaces that of the
@@ -103,24 +106,37 @@ def draw_panel(
     colors : ink, faint and paper
     """
     end = period * periods
-    traces = [_trace(curve, panel.unit, end) for curve in panel.curves]
     notes, shapes = _mark_time(period, _("one period"), colors) if edge is None else _mark_edge(edge, end, colors)
-    title = _("{quantity} [{unit}]").format(quantity=panel.title, unit=panel.unit)
-    axes: dict[str, Any] = {"yaxis": _axis(title, panel.range, nticks=6, **_zero_line(colors))}
-    if panel.curves[0].is_stacked:
-        notes += _name_stack(panel, end, colors)
-    else:
-        share = 1 - panel.named_before_end / periods
-        starts = [(end * share, _at(share, curve.values)) for curve in panel.curves]
-        leaders, names = _name_lines(panel.curves, starts, end, panel.range)
-        shapes += leaders
-        axes["yaxis2"] = names
-    if panel.limit:
-        traces = [*_shade(panel.limit, panel.unit, end), *traces]
-        label = note(panel.limit_label, panel.limit.ink, 0, panel.range[1])
-        notes.append(label | {"xanchor": "left", "xshift": 6, "yanchor": "top", "yshift": -2})
+    traces: list[dict[str, Any]] = []
+    axes: dict[str, Any] = {}
+    height = (1 - _GAP * (len(panels) - 1)) / len(panels)
+    for n, panel in enumerate(panels):
+        bottom = (len(panels) - 1 - n) * (height + _GAP)
+        y, y_of_names = (f"y{2 * n + 1}", f"y{2 * n + 2}") if n else ("y", "y2")
+        traces += [curve | {"yaxis": y} for curve in _trace_panel(panel, end)]
+        place = {"domain": [bottom, min(1.0, bottom + height)]}
+        title = _("{quantity} [{unit}]").format(quantity=panel.title, unit=panel.unit)
+        if len(panels) > 1:
+            title = title.replace(" [", "<br>[")
+        axis = _axis(title, panel.range, nticks=round(3 + 3 * height), **_zero_line(colors))
+        axes[f"yaxis{y[1:]}"] = axis | place
+        if panel.curves[0].is_stacked:
+            notes += _name_stack(panel, end, colors)
+        else:
+            share = 1 - panel.named_before_end / periods
+            starts = [(end * share, _at(share, curve.values)) for curve in panel.curves]
+            row = _LINE_HEIGHT / height
+            leaders, names = _name_lines(panel.curves, starts, end, panel.range, line_height=row, axes=(y, y_of_names))
+            shapes += leaders
+            axes[f"yaxis{y_of_names[1:]}"] = names | place
+        if panel.limit:
+            label = note(panel.limit_label, panel.limit.ink, 0, panel.range[1])
+            notes.append(label | {"xanchor": "left", "xshift": 6, "yanchor": "top", "yshift": -2})
     time_axis = _axis(
-        _("time after release <i>t</i> [s]"), (0, end), unifiedhovertitle={"text": "<i>t</i> = %{x:.4~g} s"}
+        _("time after release <i>t</i> [s]"),
+        (0, end),
+        anchor=y,
+        unifiedhovertitle={"text": "<i>t</i> = %{x:.4~g} s"},
     )
     return _lay_out(
         traces,
@@ -278,8 +294,8 @@ def _zero_line(colors: Mapping[str, str]) -> dict[str, Any]:
 
 
 def _vertical_line(x: float, line: dict[str, Any], **more: Any) -> dict[str, Any]:
-    """Return a vertical line at x through its panel."""
-    ends = {"x0": x, "x1": x, "xref": "x", "y0": 0, "y1": 1, "yref": "y domain"}
+    """Return a vertical line at x through all panels."""
+    ends = {"x0": x, "x1": x, "xref": "x", "y0": 0, "y1": 1, "yref": "paper"}
     return {"type": "line", **ends, "line": line, **more}
 
 
@@ -293,7 +309,7 @@ def _mark_edge(edge: float, end: float, colors: Mapping[str, str]) -> _Marks:
     notes, shapes = _mark_time(
         edge, _("top cylinder at the edge"), colors, xanchor="left" if edge < end / 2 else "right"
     )
-    ends = {"x0": edge, "x1": end, "y0": 0, "y1": 1, "yref": "y domain"}
+    ends = {"x0": edge, "x1": end, "y0": 0, "y1": 1, "yref": "paper"}
     veil = {"type": "rect", **ends, "fillcolor": colors["paper"], "opacity": 0.75, "line": {"width": 0}}
     return notes, [veil, *shapes]
 
@@ -365,6 +381,7 @@ def _name_lines(
     *,
     line_height: float = _LINE_HEIGHT,
     longest: int = _LONGEST_NAME,
+    axes: tuple[str, str] = ("y", "y2"),
 ) -> tuple[list[dict[str, Any]], dict[str, Any]]:
     """Return leaders from points of lines to their names, and the axis at the right whose tick labels are the names.
 
@@ -379,6 +396,7 @@ def _name_lines(
     heights : the range of the vertical axis
     line_height : of a name, in fractions of this range; less if the names would be higher than the range
     longest : the largest number of letters of a name in one line
+    axes : the vertical axes of the lines and of the names
     """
     low, high = heights
     before_end = len(curves[0].values) * 15 // 16
@@ -394,27 +412,36 @@ def _name_lines(
     half = (high - low) * min(line_height, 1 / sum(counts)) / 2
     halves = [half * count for count in counts]
     levels = spread([y for _curve, (_x, y) in named], halves, low, high)
+    y, y_of_names = axes
     outside = {"xref": "x domain", "xsizemode": "pixel", "xanchor": 1, "x0": 0, "x1": _LEADER}
-    to_name = {"type": "line", "yref": "y2", **outside}
+    to_name = {"type": "line", "yref": y_of_names, **outside}
     leaders = []
-    for (curve, (x, y)), level in zip(named, levels, strict=True):
+    for (curve, (x, start)), level in zip(named, levels, strict=True):
         look = {"color": curve.color, "width": 1.5}
         if x < end:
-            level_part = {"type": "line", "layer": "below", "x0": x, "x1": end, "y0": y, "y1": y}
+            level_part = {"type": "line", "layer": "below", "yref": y, "x0": x, "x1": end, "y0": start, "y1": start}
             leaders.append(level_part | {"line": look | {"dash": "dot"}})
-        leaders.append(to_name | {"y0": y, "y1": level, "line": look})
+        leaders.append(to_name | {"y0": start, "y1": level, "line": look})
     room_for_leaders = {"ticks": "outside", "ticklen": _LEADER + 2, "tickcolor": "rgba(0,0,0,0)"}
-    names = {"side": "right", "overlaying": "y", "showgrid": False, "showline": False}
+    names = {"side": "right", "overlaying": y, "showgrid": False, "showline": False}
     ticks = {"tickvals": levels, "ticktext": texts}
     return leaders, _axis("", heights, **names, **ticks, **room_for_leaders)
 
 
-def _shade(limit: TimeCurve, unit: str, end: float) -> list[dict[str, Any]]:
-    """Return the traces of the area between −limit and limit, in a light tint of its colour."""
-    red, green, blue = hex_to_rgb(limit.color)
-    upper = _trace(limit, unit, end)
+def _trace_panel(panel: Panel, end: float) -> list[dict[str, Any]]:
+    """Return the traces of the curves of a panel, and below them the area between −limit and limit."""
+    curves = [_trace(curve, panel.unit, end) for curve in panel.curves]
+    if panel.limit is None:
+        return curves
+    upper = _trace(panel.limit, panel.unit, end)
     lower = upper | {"y": -upper["y"], **WITHOUT_HOVER}
-    return [lower, upper | {"fill": "tonexty", "fillcolor": f"rgba({red},{green},{blue},0.15)"}]
+    return [lower, upper | {"fill": "tonexty", "fillcolor": _tint(panel.limit.color)}, *curves]
+
+
+def _tint(color: str) -> str:
+    """Return a transparent tint of a colour for an area."""
+    red, green, blue = hex_to_rgb(color)
+    return f"rgba({red},{green},{blue},0.15)"
 
 
 def _trace(curve: TimeCurve, unit: str, end: float) -> dict[str, Any]:
@@ -435,8 +462,10 @@ def _trace(curve: TimeCurve, unit: str, end: float) -> dict[str, Any]:
         # Plotly writes a minus sign with this property, but a hyphen with a format in the template.
         "yhoverformat": ".3~g",
     }
+    if curve.is_filled:
+        trace |= {"fill": "tozeroy", "fillcolor": _tint(curve.color)}
     if curve.is_stacked:
         trace |= {"stackgroup": "stack", "fillcolor": curve.color, "line": curve.look | {"width": 0.5}}
-        if curve.is_hatched:
-            trace["fillpattern"] = {"shape": "/", "size": 5, "solidity": 0.35, "fgcolor": curve.color}
+    if curve.is_hatched:
+        trace["fillpattern"] = {"shape": "/", "size": 5, "solidity": 0.35, "fgcolor": curve.color}
     return trace

@@ -15,7 +15,7 @@ from ramanujan.figures.motion_page import (
     FASTEST,
     Panel,
     TimeCurve,
-    draw_panel,
+    draw_panels,
     draw_phase_plane,
     round_up,
     step_range,
@@ -108,8 +108,11 @@ def draw_over_time(
     panels = VIEWS[view](motion, colors)
     if limit:
         panels[FRICTION] = _with_limit(panels[FRICTION], motion, *limit)
-    draw = partial(draw_panel, period=motion.oscillator.period, periods=PERIODS, edge=edge_time(motion), colors=colors)
-    return {title: draw(panel) for title, panel in panels.items()}
+    draw = partial(draw_panels, period=motion.oscillator.period, periods=PERIODS, edge=edge_time(motion), colors=colors)
+    if view == "momentum":
+        # On a common time axis the parts of both sums cross zero at the same times.
+        return {_("momentum"): draw(list(panels.values()))}
+    return {title: draw([panel]) for title, panel in panels.items()}
 
 
 def edge_time(motion: Record) -> float | None:
@@ -209,16 +212,36 @@ def _energy(motion: Record, colors: Mapping[str, str]) -> dict[str, Panel]:
 
 
 def _momentum(motion: Record, colors: Mapping[str, str]) -> dict[str, Panel]:
-    """Return the momentum of each body, which oscillates, and the two conserved momenta, which are constant."""
-    curves = _body_curves(motion.body_momenta, colors, width=1.5)
-    # Without initial velocities both are zero. A thin dashed line on a wide pale one leaves both visible.
-    total, wide = _("total: −<i>p</i><sub>X</sub>"), "<i>p</i><sub>Φ</sub><i>/R</i>"
-    p_Phi_per_radius = motion.momenta["p_Phi"] / motion.oscillator.radius
-    primary, ink = colors["primary"], colors["ink"]
-    curves.append(TimeCurve(wide, p_Phi_per_radius, primary, wide, width=8, opacity=0.6, ink=primary))
-    curves.append(TimeCurve(total, -motion.momenta["p_X"], ink, total, dash="12px 6px", ink=ink))
-    panel = _panel(_("momentum"), "kg·m/s", curves)
-    return {_("momentum"): replace(panel, named_before_end=FASTEST)}
+    """Return for each conserved momentum its two parts, which oscillate against each other, and their constant sum.
+
+    −p_X is the sum over all bodies. p_Φ/R is the momentum of the top cylinder and its angular momentum over R.
+    """
+    of, machine = motion.body_momenta, motion.oscillator
+    rotation = machine.moments_of_inertia["top"] * motion.q_dot[2] / machine.radius
+    bodies = [
+        _part("block", of["block"] + of["top"], _("block, top cylinder"), colors),
+        _part("slab", of["slab"] + of["hoop"] + of["cylinder"], _("slab, lower rollers"), colors),
+    ]
+    kinds = [
+        _part("top", of["top"], _("translation"), colors),
+        _part("top", rotation, _("rotation"), colors, is_hatched=True),
+    ]
+    total, top = -motion.momenta["p_X"], motion.momenta["p_Phi"] / machine.radius
+    return {
+        "p_X": _sum_panel(_("whole machine"), bodies, total, _("sum: −<i>p</i><sub>X</sub>"), colors),
+        "p_Phi": _sum_panel(PARTS["top"], kinds, top, _("sum: <i>p</i><sub>Φ</sub>/<i>R</i>"), colors),
+    }
+
+
+def _part(body: str, values: np.ndarray, name: str, colors: Mapping[str, str], **look: Any) -> TimeCurve:
+    """Return a part of a conserved momentum in the colour of a body."""
+    return replace(_body_curve(body, values, colors, is_filled=True, **look), name=name, label=name)
+
+
+def _sum_panel(title: str, parts: list[TimeCurve], total: np.ndarray, name: str, colors: Mapping[str, str]) -> Panel:
+    """Return a panel of the parts of a conserved momentum, with their sum as a wide line."""
+    flat = TimeCurve(name, total, colors["ink"], name, width=4, ink=colors["ink"])
+    return replace(_panel(title, "kg·m/s", [*parts, flat]), named_before_end=FASTEST)
 
 
 def _contacts(motion: Record, colors: Mapping[str, str]) -> dict[str, Panel]:

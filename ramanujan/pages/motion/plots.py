@@ -158,20 +158,17 @@ def draw_energy(motion: Record, figure: EncodedFigure) -> None:
 def draw_momentum(motion: Record, figure: EncodedFigure) -> None:
     """Draw the momenta of the bodies and the two conserved momenta."""
     p_X, p_Phi = (float(motion.momenta[name][0]) for name in ("p_X", "p_Phi"))
-    p_X_symbol, _p_phi_symbol, p_Phi_symbol = map(latex, MOMENTA)
-    st.markdown(
-        _("The bodies exchange momentum, but **two lines stay flat**: the Lagrangian contains neither $X$ nor $\\Phi$.")
-    )
+    st.markdown(_("**Both sums stay flat:** what one part gains, the other loses."))
     alternative = _(
-        "Momentum of each body over time. The bodies exchange momentum, but two lines are flat, because two momenta "
-        "are conserved: all bodies together {all:3 kg m/s}, p_Φ/R {top:3 kg m/s}."
+        "Two momenta over time, each with its two parts. The parts change in opposite directions, and their sum is a "
+        "flat line: all bodies together {all:3 kg m/s}, the top cylinder p_Φ/R = {top:3 kg m/s}."
     )
     draw_chart(figure, "momentum", filled(alternative, all=-p_X, top=p_Phi / motion.oscillator.radius))
     if not is_projector():
+        p_X_symbol, _p_phi_symbol, p_Phi_symbol = map(latex, MOMENTA)
         sentence = _(
-            "$-{p_X}$ is the momentum of the whole machine; $X$ is positive to the left, hence the minus sign. "
-            "${p_Phi}$ is the angular momentum of the top cylinder about its line of contact with the block. "
-            "Without initial velocities both are 0. Change these velocities: the lines move, and stay flat."
+            "The Lagrangian contains neither $X$ nor $\\Phi$, so ${p_X}$ and ${p_Phi}$ are conserved. ${p_Phi}$ is the "
+            "top cylinder’s angular momentum about its line of contact. Initial velocities move the flat lines."
         )
         st.caption(sentence.format(p_X=p_X_symbol, p_Phi=p_Phi_symbol))
 

@@ -238,6 +238,8 @@ def test_the_initial_velocities_are_beside_the_momenta_that_they_change(visit):
         page.set_viewport_size({"width": width, "height": height})
         settle(page)
         if width == 390:
+            graph = page.locator(".js-plotly-plot").bounding_box()
+            assert graph["y"] + graph["height"] < lowest, "machine and both sums are on one screen"
             top = page.locator(".js-plotly-plot").bounding_box()["y"] - 60
             page.evaluate("(top) => document.querySelector('[data-testid=stMain]').scrollBy(0, top)", top)
             next_frame(page)

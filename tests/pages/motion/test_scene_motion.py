@@ -253,8 +253,30 @@ def test_every_line_has_its_name_at_its_end_and_no_name_covers_another(view, cou
         if view != "energy":
             ends = {line["name"]: array(line["y"])[-1] for line in figure["data"]}
             if view == "momentum":
-                ends = fastest(figure["data"])
+                for axis, names in (("y", "y2"), ("y3", "y4")):
+                    curves = [line for line in figure["data"] if line["yaxis"] == axis]
+                    assert len(curves) == 3
+                    check_names(fastest(curves), figure["layout"], axis=axis, axis_of_names=names)
+                continue
             check_names(ends, figure["layout"])
+
+
+@pytest.mark.parametrize("setting", CORNERS)
+def test_the_parts_of_both_conserved_momenta_are_mirror_images_with_a_flat_sum(setting):
+    motion = record_finely(*setting)
+    (figure,) = figures("momentum", *setting)
+    p_X, p_Phi = (motion.momenta[name][0] for name in ("p_X", "p_Phi"))
+    for axis, expected in (("y", -p_X), ("y3", p_Phi / motion.oscillator.radius)):
+        first, second, total = (array(line["y"]) for line in figure["data"] if line["yaxis"] == axis)
+        # Single precision.
+        exact = {"abs": 1e-6 * max(abs(first).max(), abs(expected))}
+        assert first + second == pytest.approx(total, **exact)
+        assert total == pytest.approx(np.full_like(total, expected), **exact)
+        # Each part is the other one, reflected at half the sum.
+        assert first - expected / 2 == pytest.approx(expected / 2 - second, **exact)
+        low, high = figure["layout"][axis.replace("y", "yaxis")]["range"]
+        if not any(setting[5:]):
+            assert np.ptp(first) > (high - low) / 2, "released at rest, the parts fill their panel"
 
 
 @pytest.mark.parametrize(
@@ -266,7 +288,7 @@ def test_every_orbit_has_its_name_beside_its_crest_and_no_name_covers_another(se
         # The letters of a phone are at most 0.12 of its plane.
         check_names(fastest(plane["data"]), plane["layout"], room=0.12)
         # A level line joins each crest with the edge.
-        levels = [shape for shape in plane["layout"]["shapes"] if "yref" not in shape]
+        levels = [shape for shape in plane["layout"]["shapes"] if shape.get("yref") == "y"]
         starts = [(level["x0"], level["y0"]) for level in levels]
         crests = zip(fastest(plane["data"], "x").values(), fastest(plane["data"]).values(), strict=True)
         assert len(levels) == len(plane["data"])
@@ -282,18 +304,19 @@ def fastest(lines, letter="y"):
     return {name: np.interp(7 / 8, np.linspace(0, 1, len(each)), each) for name, each in values.items()}
 
 
-def check_names(starts, layout, room=0.09):
+def check_names(starts, layout, room=0.09, axis="y", axis_of_names="y2"):
     """Check the names of lines, and the leaders to them.
 
     Parameters
     ----------
     starts : name → where its leader starts
-    room : the height of a line of letters, in fractions of the panel; on a slide at most 0.09
+    room : the height of a line of letters, in fractions of the figure; on a slide at most 0.09
+    axis, axis_of_names : the vertical axes of a panel
     """
-    names = layout["yaxis2"]
-    assert names["overlaying"] == "y"
-    assert names["range"] == layout["yaxis"]["range"]
-    leaders = [shape for shape in layout["shapes"] if shape.get("yref") == "y2"]
+    lines, names = (layout[name.replace("y", "yaxis")] for name in (axis, axis_of_names))
+    assert names["overlaying"] == axis
+    assert names["range"] == lines["range"]
+    leaders = [shape for shape in layout["shapes"] if shape.get("yref") == axis_of_names]
     starts = {re.sub("<.*?>", "", name): start for name, start in starts.items()}
     texts = [re.sub("<.*?>", "", text.replace("–<br>", "–").replace("<br>", " ")) for text in names["ticktext"]]
     assert sorted(texts) == sorted(starts)
@@ -301,7 +324,8 @@ def check_names(starts, layout, room=0.09):
     for text, level, leader in zip(texts, names["tickvals"], leaders, strict=True):
         assert leader["y0"] == pytest.approx(starts[text], abs=1e-6 * height)
         assert leader["y1"] == level
-    room = height * room
+    low, high = lines.get("domain", (0, 1))
+    room = height * room / (high - low)
     rows = np.array([1 + text.count("<br>") for text in names["ticktext"]])
     assert (-np.diff(names["tickvals"]) >= room * (rows[:-1] + rows[1:]) / 2).all()
     assert names["range"][0] <= min(names["tickvals"]) <= max(names["tickvals"]) <= names["range"][1]
