@@ -145,11 +145,15 @@ def phase_plane(
 
 def _displacements(motion: Record, colors: Mapping[str, str]) -> dict[str, Panel]:
     """Return the displacements of the bodies relative to the ground and to the block."""
+    last = _last_on_block(motion)
+    after_edge = PERIODS * (1 - last / (len(motion.t) - 1))
     panels = {}
     for frame, title in FRAMES.items():
         positions, _velocities = relative_to(frame, motion)
-        centimetres = {body: _CM * x for body, x in positions.items()}
-        panels[title] = _panel(_("to the right"), "cm", _body_curves(centimetres, colors))
+        curves = _body_curves({body: _CM * x for body, x in positions.items()}, colors)
+        # The motion beyond the edge of the block does not flatten the motion before it, and may leave the panel.
+        ends = step_range(curve.values[: last + 1] for curve in curves)
+        panels[title] = Panel(_("to the right"), "cm", curves, ends, named_before_end=after_edge)
     return panels
 
 

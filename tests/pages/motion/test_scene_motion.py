@@ -252,6 +252,8 @@ def test_every_line_has_its_name_at_its_end_and_no_name_covers_another(view, cou
         assert not figure["layout"]["showlegend"]
         if view != "energy":
             ends = {line["name"]: array(line["y"])[-1] for line in figure["data"]}
+            if view == "displacements":
+                ends = at_edge(figure, cache.edge_time(record_finely(*setting)))
             if view == "momentum":
                 for axis, names in (("y", "y2"), ("y3", "y4")):
                     curves = [line for line in figure["data"] if line["yaxis"] == axis]
@@ -296,6 +298,25 @@ def test_every_orbit_has_its_name_beside_its_crest_and_no_name_covers_another(se
         assert all(
             (level["x1"], level["y1"]) == (plane["layout"]["xaxis"]["range"][1], level["y0"]) for level in levels
         )
+
+
+def at_edge(figure, edge):
+    """Return the values of lines by name at the edge of the block, or at their ends if the cylinder stays on it."""
+    values = {line["name"]: array(line["y"]) for line in figure["data"]}
+    end = figure["layout"]["xaxis"]["range"][1]
+    return {name: np.interp(edge or end, np.linspace(0, end, len(y)), y) for name, y in values.items()}
+
+
+@pytest.mark.parametrize(("glide", "spin"), [(0.1, 2.0), (0.2, 3.0), (0.0, -3.0)])
+def test_the_displacements_before_the_edge_fill_their_panel(glide, spin):
+    setting = (1.0, 1.0, 10.0, 0.1, 0.08, glide, spin)
+    edge = cache.edge_time(record_finely(*setting))
+    for figure in figures("displacements", *setting):
+        low, high = figure["layout"]["yaxis"]["range"]
+        before = [array(line["y"])[: int(edge / line["dx"])] for line in figure["data"]]
+        # A step of the axis is at most one and a half times the step below it, on both sides of zero.
+        assert np.ptp(np.concatenate(before)) > (high - low) / 1.7
+        assert low <= np.concatenate(before).min() <= np.concatenate(before).max() <= high
 
 
 def fastest(lines, letter="y"):
