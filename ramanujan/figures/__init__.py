@@ -128,7 +128,7 @@ def spread(heights: Sequence[float], halves: Sequence[float], low: float, high: 
     """
     places = list(heights)
     # Move neighbours apart by equal distances until no two names overlap.
-    for _step in range(200 if places else 0):
+    for _step in range(200):
         for n in range(1, len(places)):
             overlap = max(0.0, places[n] + halves[n] + halves[n - 1] - places[n - 1])
             places[n - 1] += overlap / 2

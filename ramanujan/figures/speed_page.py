@@ -23,7 +23,7 @@ _SYMBOL = 7
 _LONGEST_NAME = 18
 """The largest number of letters of a name in one line at the right edge."""
 _LINE_HEIGHT = 0.08
-"""The height of a line of a name, in fractions of the plotting area. Long names have half a line between them."""
+"""The height of a line of a name on a slide, in fractions of the plotting area."""
 
 
 CurveArrays = tuple[np.ndarray, np.ndarray, np.ndarray]
@@ -32,35 +32,36 @@ CurveArrays = tuple[np.ndarray, np.ndarray, np.ndarray]
 
 def draw_error_growth(
     curves: Mapping[str, tuple[np.ndarray, np.ndarray]],
+    chosen: str | None,
     *,
     title: str,
     limits: tuple[float, float],
-    periods: float,
     allowed: float | None,
     colors: Colors,
 ) -> EncodedFigure:
-    """Draw an error of runs against the number of periods, both logarithmic; the axes never change.
+    """Draw an error of all methods against the number of periods, both logarithmic; the axes never change.
 
     Each line has its name at the right edge, with an arrow if the line ends outside of the figure.
 
     Parameters
     ----------
-    curves : name of each run → numbers of periods from 1, and the error after them. The last run is drawn strongly, and
-        above the others, which are gray.
+    curves : name of each method → numbers of periods from 1, and the error after them
+    chosen : the name of the method that is drawn strongly, if any, among gray ones
     title : of the error axis
     limits : of the error axis. A line with other errors leaves the figure.
-    periods : the right end of the other axis
     allowed : the largest error allowed, if any
     colors : the theme's
     """
     traces = []
     line_ends = {}
-    chosen, chosen_label = [*curves][-1] if curves else None, None
+    chosen_label = None
     symbols = dict(zip(curves, logarithmic.SYMBOLS, strict=False))
-    right = float(periods)
-    for name, (times, errors) in curves.items():
+    right = max(float(periods[-1]) for periods, _errors in curves.values())
+    # Draw the chosen method last, above the others.
+    for name in sorted(curves, key=lambda name: name == chosen):
+        periods, errors = curves[name]
         look = {"color": colors["primary"], "width": _STRONG} if name == chosen else _gray(colors)
-        curve = line(times, select_drawable(errors, limits[1]), **look)
+        curve = line(periods, select_drawable(errors, limits[1]), **look)
         properties = {
             "name": name,
             # Some lines end at the same point, so each has a symbol.
@@ -265,8 +266,8 @@ def _name_lines(
     """
     low, high = np.log10(limits)
     names = sorted(line_ends, key=lambda name: -line_ends[name][1])
-    labels = [_break_name(name) for name in names]
-    halves = [(high - low) * _LINE_HEIGHT * (1.5 * label.count("<br>") + 1) / 2 for label in labels]
+    labels = [name if len(name) <= _LONGEST_NAME else name.replace(" ", "<br>", 1) for name in names]
+    halves = [(high - low) * _LINE_HEIGHT * (label.count("<br>") + 1) / 2 for label in labels]
     ends = [float(np.clip(np.log10(line_ends[name][1]), low, high)) for name in names]
     levels = [10.0**height for height in spread(ends, halves, low, high)]
     edge = right * 10**leader
@@ -295,13 +296,6 @@ def _name_lines(
         "ticktext": texts,
     }
     return leaders, right_axis
-
-
-def _break_name(name: str) -> str:
-    """Break a long name in two lines, after its comma or its first word."""
-    if len(name) <= _LONGEST_NAME:
-        return name
-    return name.replace(", " if ", " in name else " ", "<br>", 1)
 
 
 def draw_phase_errors(

@@ -56,8 +56,9 @@ def draw_machine() -> None:
     selected = address.current(METHOD), address.current(STEPS)
     method, steps = [selected, *tried_runs()][-1]
     computed = downsampling.stage_payload(cache.run(method, steps))
+    run_name = _("{method}, {steps} steps per period").format(method=METHODS[method].title, steps=steps)
     computed |= {
-        "run_name": name_run(method, steps),
+        "run_name": run_name,
         "within": WITHIN,
         "run": st.session_state.get(_RUN, 0),
         "screen_period": _ANIMATION / PERIODS,
@@ -95,11 +96,6 @@ def find_best_run() -> Run | None:
     """Return the attempt with the fewest evaluations among those whose error was allowed."""
     runs = [diagram_curve(method).select(steps) for method, steps in tried_runs()]
     return min((run for run in runs if run.error <= WITHIN), key=lambda run: run.evaluations, default=None)
-
-
-def name_run(method: str, steps: int) -> str:
-    """Return a run's method and steps."""
-    return _("{method}, {steps} steps per period").format(method=METHODS[method].title, steps=steps)
 
 
 def _add_attempt(method: str, steps: int) -> None:

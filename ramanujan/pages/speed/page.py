@@ -24,8 +24,6 @@ TOPICS = {
     "price": _("**Price** *What does accuracy cost?*"),
     "limits": _("**Limits** *Where do numbers end?*"),
 }
-# Number of runs whose errors are drawn, the last ones.
-_MOST_LINES = 3
 TOPIC = address.Choice("topic", TOPICS, "race")
 ERRORS = {"phase": _("Phase"), "energy": _("Energy")}
 ERROR = address.Choice("error", ERRORS, "phase")
@@ -142,8 +140,9 @@ def draw_limits() -> None:
 
 
 def draw_error_growth() -> None:
-    """Draw how an error grows in the reader's last runs. Before the first run, ask where its line will end."""
-    runs = challenge.tried_runs()[-_MOST_LINES:]
+    """Draw how an error of all methods grows. The selected method stands out once it has run."""
+    method, steps = address.current(METHOD), address.current(STEPS)
+    has_run = (method, steps) in challenge.tried_runs()
     if display_mode.is_projector():
         head = st.container()
         place, words = st.columns([2, 1], gap="medium")
@@ -156,41 +155,40 @@ def draw_error_growth() -> None:
         error = widgets.segmented_control(ERROR, _("Error"), label_visibility="collapsed")
         scale = _("Each line up is 10 times the one below.")
         st.markdown(f"{_EXPLANATIONS[error]} {scale}")
-        if not runs:
-            st.markdown(_("Where will the line of your run end? Press *Run*."))
+        if not has_run:
+            st.markdown(_("Which line belongs to your run? Press *Run*, and it stands out."))
         if not display_mode.is_projector():
-            st.markdown(verdicts.describe_method(METHODS[address.current(METHOD)]))
-    curves, sentences = {}, []
-    for method, steps in runs:
-        run = cache.run(method, steps)
+            st.markdown(verdicts.describe_method(METHODS[method]))
+    runs = {name: cache.run(name, steps) for name in METHODS}
+    curves = {}
+    for name, run in runs.items():
         # The first period is outside of the figure.
         shown = run.times >= 1
         values = run.energy if error == "energy" else run.phase / math.tau
-        name = challenge.name_run(method, steps)
-        curves[name] = run.times[shown], values[shown]
-        sentences.append(_describe_error(name, run))
+        curves[METHODS[name].title] = run.times[shown], values[shown]
     title, ends = _AXES[error]
     figure = figures.draw_error_growth(
         curves,
+        METHODS[method].title if has_run else None,
         title=title,
         limits=ends,
-        periods=PERIODS,
         allowed=WITHIN if error == "phase" else None,
         colors=theme.colors(),
     )
-    alternative = _("The errors of your last runs over {periods} periods. {errors}")
+    alternative = _("The errors of all methods over {periods} periods, with the same steps. {errors}")
+    sentences = " ".join(map(_describe_error, runs.values()))
     with place:
-        drawings.plot(figure, "growth", alternative.format(periods=PERIODS, errors=" ".join(sentences)))
+        drawings.plot(figure, "growth", alternative.format(periods=PERIODS, errors=sentences))
 
 
-def _describe_error(name: str, run: SampledRun) -> str:
-    """State the error of a run with this name at its end."""
+def _describe_error(run: SampledRun) -> str:
+    """State the error of a run at its end."""
     worst = float(np.max(run.energy))
     if not (math.isfinite(run.phase_at_end) and math.isfinite(worst)):
         sentence = _("{method}: the energy has grown beyond the largest floating-point number.")
-        return sentence.format(method=name)
+        return sentence.format(method=METHODS[run.method].title)
     sentence = _("{method}: phase error {turns:2} turns, relative energy error up to {energy:2↑}.")
-    return filled(sentence, method=name, turns=abs(run.phase_at_end) / math.tau, energy=worst)
+    return filled(sentence, method=METHODS[run.method].title, turns=abs(run.phase_at_end) / math.tau, energy=worst)
 
 
 if __name__ == "__main__":
