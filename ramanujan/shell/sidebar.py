@@ -13,6 +13,7 @@ from functools import partial
 from typing import Any
 
 import streamlit as st
+from streamlit.runtime.scriptrunner import get_script_run_ctx
 
 from ramanujan import UNIT_MASS_RATIO, Oscillator
 from ramanujan.browser import topics
@@ -46,7 +47,7 @@ _PROCESSED = "processed_texts"
 _IS_FIRST = "is_first_run"
 """Session state: whether this run is the first of the session."""
 _FRAGMENTS = "machine_fragments"
-"""Session state: the keys of the fragments that depend on the machine, if the page was completely drawn."""
+"""Session state: the page, and the keys of its fragments that depend on the machine, if it was completely drawn."""
 _LINKED = "linked"
 """Session state: key of a parameter → its value when the session began."""
 
@@ -127,7 +128,14 @@ def set_dependent_fragments(*fragments: str) -> None:
     fragments : keys of the fragments that depend on the machine. At least one fragment must publish the result of
         `collect_box_messages`: the boxes of the sliders are outside of all fragments, so only a message updates them.
     """
-    st.session_state[_FRAGMENTS] = fragments
+    st.session_state[_FRAGMENTS] = _page(), fragments
+
+
+def _page() -> str:
+    """Return the page of this run; in a callback, already the page that is about to be drawn."""
+    # Streamlit documents this function, but only for threads. In a callback, the address may be that of the last page.
+    context = get_script_run_ctx()
+    return context.page_script_hash if context else ""
 
 
 def collect_box_messages() -> dict[str, object]:
@@ -142,12 +150,14 @@ def collect_box_messages() -> dict[str, object]:
 def _rerun_fragments() -> None:
     """Rerun only the fragments that depend on the machine, unless there are other changes or a run was interrupted.
 
-    Only a browser keeps the rest of the page. In a test without a browser, the whole page reruns.
+    A link to another page can also change a slider. Streamlit's page ends with an error if it receives fragments of the
+    page before. Only a browser keeps the rest of the page. In a test without a browser, the whole page reruns.
     """
     pending_updates.repeat_unreceived()
-    fragments = st.session_state.get(_FRAGMENTS)
+    page, fragments = st.session_state.get(_FRAGMENTS, ("", ()))
     if (
         fragments
+        and page == _page()
         and display_mode.is_browser()
         and not (_requests() or pending_updates.are_waiting() or messages.are_shown())
     ):

@@ -182,3 +182,13 @@ def test_after_a_slider_the_page_agrees_with_its_address(app, path, monkeypatch)
     assert bool(other.slider) == (path in ("motion", "speed")), "the other pages draw what follows the machine alone"
     assert redrawn <= Counter(before[0]) <= Counter(moved[0]) + redrawn
     assert moved[1] | published(other) == before[1]
+
+
+def test_a_link_that_changes_a_slider_draws_the_whole_other_page(app, monkeypatch):
+    """Fragments of the page before would be redrawn in the other page, and end it with an error in the browser."""
+    opened(app, m="2")
+    sound(app.switch_page(PAGES["taxicab"].file).run())
+    monkeypatch.setattr(display_mode, "is_browser", lambda: True)
+    app.slider(key="m").set_value(PARAMETERS["m"].default)
+    sound(app.switch_page(PAGES["motion"].file).run())
+    assert app.title[0].value == PAGES["motion"].title
