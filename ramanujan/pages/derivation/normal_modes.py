@@ -16,7 +16,7 @@ MODES = stages.url_parameters("modes_")
 
 def draw_modes(numbers: Numbers | None) -> None:
     """Draw the three modes in three columns."""
-    st.header(_("Three normal modes, one of them oscillates"), anchor=False)
+    st.header(_("Three normal modes, one of which oscillates"), anchor=False)
     words, formulas = columns("modes")
     zero_modes = _(
         "A mode that does not deform the spring has $\\omega=0$. It is called a zero mode, and it conserves a momentum."
