@@ -224,11 +224,11 @@ export function makeLayers(root, asked) {
     });
   }
 
-  /** Draw the total energy, in a bar with a mark at the energy of the release. Write its value once a period. */
+  /** Draw the total energy after each full period: its value, and a bar with a mark at the energy of the release. */
   function drawTotalEnergy(playback) {
-    bars[0].style.width = `${(100 * playback.energyAt(playback.phase)) / data.most_energy}%`;
-    const done = Math.floor(playback.periods + 1e-9), share = 100 * playback.energyAt(done * TURN);
-    const sentence = fill(WORDS.energy_share, { share: withUnit(fixed(share, 0), "%") });
+    const done = Math.floor(playback.periods + 1e-9), energy = playback.energyAt(done * TURN);
+    bars[0].style.width = `${(100 * energy) / data.most_energy}%`;
+    const sentence = fill(WORDS.energy_share, { share: withUnit(fixed(100 * energy, 0), "%") });
     const text = asked ? fill(WORDS.counting, { done, periods: asked, sentence }) : sentence;
     if (find(".total").textContent === text) return;
     find(".total").textContent = text;
