@@ -190,8 +190,8 @@ def draw_friction(motion: Record, figure: EncodedFigure, friction: Friction) -> 
     draw_chart(figure, "forces", alternative.format(forces=list_values(cache.CONTACTS, strongest, "N")))
     if not is_projector():
         sentence = _(
-            "Friction on the rollers, positive to the right; the arrows in the picture show it. Dashed: a lower roller "
-            "on the block. It vanishes whenever the spring is relaxed. No initial velocity changes it."
+            "Friction on the rollers, positive to the right; the arrows in the picture show it. It vanishes whenever "
+            "the spring is relaxed. No initial velocity changes it. Dashed: a lower roller on the block."
         )
         st.caption(sentence)
 
