@@ -326,6 +326,13 @@ def _remove_others(parameters: Iterable[URLParameter]) -> None:
     bound.update(parameter.name for parameter in parameters if parameter.is_bound)
 
 
+def current_page() -> str:
+    """Return Streamlit's id of the page of this run; in a callback, already of the page that is about to be drawn."""
+    # In a callback, `st.context.url` may be the address of the last page.
+    context = get_script_run_ctx()
+    return context.page_script_hash if context else ""
+
+
 def _is_history_navigation() -> bool:
     """Return whether the user pressed the back or forward button. Then the address overrides the session state."""
     # Streamlit documents this function, but only for threads. There is no documented way to detect the back button.

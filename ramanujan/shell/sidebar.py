@@ -13,13 +13,12 @@ from functools import partial
 from typing import Any
 
 import streamlit as st
-from streamlit.runtime.scriptrunner import get_script_run_ctx
 
 from ramanujan import UNIT_MASS_RATIO, Oscillator
 from ramanujan.browser import topics
 from ramanujan.browser.components import drawer, exact
 from ramanujan.browser.containers import container
-from ramanujan.shell import display_mode, messages, pending_updates, shared_cache, stages, widgets
+from ramanujan.shell import address, display_mode, messages, pending_updates, shared_cache, stages, widgets
 from ramanujan.shell.parameters import MACHINE, PARAMETERS, SENTENCES
 from ramanujan.text.numerals import number as format_number
 from ramanujan.text.reading import read_number, two_readings
@@ -128,14 +127,7 @@ def set_dependent_fragments(*fragments: str) -> None:
     fragments : keys of the fragments that depend on the machine. At least one fragment must publish the result of
         `collect_box_messages`: the boxes of the sliders are outside of all fragments, so only a message updates them.
     """
-    st.session_state[_FRAGMENTS] = _page(), fragments
-
-
-def _page() -> str:
-    """Return the page of this run; in a callback, already the page that is about to be drawn."""
-    # Streamlit documents this function, but only for threads. In a callback, the address may be that of the last page.
-    context = get_script_run_ctx()
-    return context.page_script_hash if context else ""
+    st.session_state[_FRAGMENTS] = address.current_page(), fragments
 
 
 def collect_box_messages() -> dict[str, object]:
@@ -157,7 +149,7 @@ def _rerun_fragments() -> None:
     page, fragments = st.session_state.get(_FRAGMENTS, ("", ()))
     if (
         fragments
-        and page == _page()
+        and page == address.current_page()
         and display_mode.is_browser()
         and not (_requests() or pending_updates.are_waiting() or messages.are_shown())
     ):
