@@ -60,7 +60,6 @@ class TimeCurve:
     label: str
     width: float = 2.5
     dash: str = "solid"
-    opacity: float = 1.0
     is_stacked: bool = False
     is_hatched: bool = False
     is_filled: bool = False
@@ -456,7 +455,6 @@ def _trace(curve: TimeCurve, unit: str, end: float) -> dict[str, Any]:
         "name": curve.label,
         "mode": "lines",
         "line": curve.look,
-        "opacity": curve.opacity,
         # By default Plotly writes a space before the colon.
         "hovertemplate": hover,
         # Plotly writes a minus sign with this property, but a hyphen with a format in the template.

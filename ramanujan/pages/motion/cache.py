@@ -107,12 +107,10 @@ def draw_over_time(
     """Draw the figures of a view without the cache; parameters as for `figures`."""
     panels = VIEWS[view](motion, colors)
     if limit:
-        panels[FRICTION] = _with_limit(panels[FRICTION], motion, *limit)
+        [friction] = panels[FRICTION]
+        panels[FRICTION] = [_with_limit(friction, motion, *limit)]
     draw = partial(draw_panels, period=motion.oscillator.period, periods=PERIODS, edge=edge_time(motion), colors=colors)
-    if view == "momentum":
-        # On a common time axis the parts of both sums cross zero at the same times.
-        return {_("momentum"): draw(list(panels.values()))}
-    return {title: draw([panel]) for title, panel in panels.items()}
+    return {title: draw(below_each_other) for title, below_each_other in panels.items()}
 
 
 def edge_time(motion: Record) -> float | None:
@@ -143,7 +141,7 @@ def phase_plane(
     return draw_orbits(frame, motion, theme.colors())
 
 
-def _displacements(motion: Record, colors: Mapping[str, str]) -> dict[str, Panel]:
+def _displacements(motion: Record, colors: Mapping[str, str]) -> dict[str, list[Panel]]:
     """Return the displacements of the bodies relative to the ground and to the block."""
     last = _last_on_block(motion)
     after_edge = PERIODS * (1 - last / (len(motion.t) - 1))
@@ -153,7 +151,7 @@ def _displacements(motion: Record, colors: Mapping[str, str]) -> dict[str, Panel
         curves = _body_curves({body: _CM * x for body, x in positions.items()}, colors)
         # The motion beyond the edge of the block does not flatten the motion before it, and may leave the panel.
         ends = step_range(curve.values[: last + 1] for curve in curves)
-        panels[title] = Panel(_("to the right"), "cm", curves, ends, named_before_end=after_edge)
+        panels[title] = [Panel(_("to the right"), "cm", curves, ends, named_before_end=after_edge)]
     return panels
 
 
@@ -201,7 +199,7 @@ def _ranges(frame: str, motion: Record) -> tuple[tuple[float, float], tuple[floa
     return step_range(_CM * x for x in positions.values()), (-highest, highest)
 
 
-def _energy(motion: Record, colors: Mapping[str, str]) -> dict[str, Panel]:
+def _energy(motion: Record, colors: Mapping[str, str]) -> dict[str, list[Panel]]:
     """Return the energies of all bodies by kind as a stack below their constant sum."""
     curves = []
     for key, values in motion.energies.items():
@@ -212,13 +210,14 @@ def _energy(motion: Record, colors: Mapping[str, str]) -> dict[str, Panel]:
     curves.append(TimeCurve(_("total energy"), total, colors["ink"], _("total energy"), width=3, ink=colors["ink"]))
     # Leave a sixth above the total for the names of the periods.
     highest = round_up(float(total[0]) * 7 / 6)
-    return {_("energy"): Panel(_("energy"), "mJ", curves, (0.0, highest))}
+    return {_("energy"): [Panel(_("energy"), "mJ", curves, (0.0, highest))]}
 
 
-def _momentum(motion: Record, colors: Mapping[str, str]) -> dict[str, Panel]:
+def _momentum(motion: Record, colors: Mapping[str, str]) -> dict[str, list[Panel]]:
     """Return for each conserved momentum its two parts, which oscillate against each other, and their constant sum.
 
-    −p_X is the sum over all bodies. p_Φ/R is the momentum of the top cylinder and its angular momentum over R.
+    −p_X is the sum over all bodies. p_Φ/R is the momentum of the top cylinder and its angular momentum over R. On a
+    common time axis the parts of both sums cross zero at the same times.
     """
     of, machine = motion.body_momenta, motion.oscillator
     rotation = machine.moments_of_inertia["top"] * motion.q_dot[2] / machine.radius
@@ -231,10 +230,11 @@ def _momentum(motion: Record, colors: Mapping[str, str]) -> dict[str, Panel]:
         _part("top", rotation, _("rotation"), colors, is_hatched=True),
     ]
     total, top = -motion.momenta["p_X"], motion.momenta["p_Phi"] / machine.radius
-    return {
-        "p_X": _sum_panel(_("whole machine"), bodies, total, _("sum: −<i>p</i><sub>X</sub>"), colors),
-        "p_Phi": _sum_panel(PARTS["top"], kinds, top, _("sum: <i>p</i><sub>Φ</sub>/<i>R</i>"), colors),
-    }
+    panels = [
+        _sum_panel(_("whole machine"), bodies, total, _("sum: −<i>p</i><sub>X</sub>"), colors),
+        _sum_panel(PARTS["top"], kinds, top, _("sum: <i>p</i><sub>Φ</sub>/<i>R</i>"), colors),
+    ]
+    return {_("momentum"): panels}
 
 
 def _part(body: str, values: np.ndarray, name: str, colors: Mapping[str, str], **look: Any) -> TimeCurve:
@@ -248,14 +248,14 @@ def _sum_panel(title: str, parts: list[TimeCurve], total: np.ndarray, name: str,
     return replace(_panel(title, "kg·m/s", [*parts, flat]), named_before_end=FASTEST)
 
 
-def _contacts(motion: Record, colors: Mapping[str, str]) -> dict[str, Panel]:
+def _contacts(motion: Record, colors: Mapping[str, str]) -> dict[str, list[Panel]]:
     """Return the horizontal force on each roller at its contacts, and the normal forces there."""
     forces = [_contact_curve(name, values, colors) for name, values in motion.forces.items() if name != "spring"]
     normals = [_contact_curve(name, values, colors) for name, values in motion.normal_forces.items()]
     highest = max(float(curve.values.max()) for curve in normals)
     return {
-        FRICTION: _panel(FRICTION, "N", forces),
-        NORMAL_FORCE: Panel(NORMAL_FORCE, "N", normals, (0.0, 1.1 * highest)),
+        FRICTION: [_panel(FRICTION, "N", forces)],
+        NORMAL_FORCE: [Panel(NORMAL_FORCE, "N", normals, (0.0, 1.1 * highest))],
     }
 
 
@@ -275,13 +275,13 @@ def _with_limit(panel: Panel, motion: Record, contact: str, friction_coefficient
     return replace(panel, curves=curves, range=(-highest, highest), limit=limit, limit_label=label)
 
 
-VIEWS: Mapping[str, Callable[[Record, Mapping[str, str]], dict[str, Panel]]] = {
+VIEWS: Mapping[str, Callable[[Record, Mapping[str, str]], dict[str, list[Panel]]]] = {
     "displacements": _displacements,
     "energy": _energy,
     "momentum": _momentum,
     "forces": _contacts,
 }
-"""View → function that returns its panels over time, by their titles."""
+"""View → function that returns title → panels over time of a figure, from the top."""
 
 
 def _contact_curve(contact: str, values: np.ndarray, colors: Mapping[str, str]) -> TimeCurve:
@@ -293,9 +293,9 @@ def _contact_curve(contact: str, values: np.ndarray, colors: Mapping[str, str]) 
     return replace(_body_curve(body, values, colors, dash=dash), name=CONTACTS[contact], label=label)
 
 
-def _body_curves(values: Mapping[str, np.ndarray], colors: Mapping[str, str], **look: Any) -> list[TimeCurve]:
+def _body_curves(values: Mapping[str, np.ndarray], colors: Mapping[str, str]) -> list[TimeCurve]:
     """Return a curve for each body, and one for both lower rollers, whose values are equal."""
-    curves = {body: _body_curve(body, each, colors, **look) for body, each in values.items() if body != "cylinder"}
+    curves = {body: _body_curve(body, each, colors) for body, each in values.items() if body != "cylinder"}
     curves["hoop"] = replace(curves["hoop"], name=_LOWER_ROLLERS, label=_LOWER_ROLLERS)
     return list(curves.values())
 

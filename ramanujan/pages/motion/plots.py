@@ -156,7 +156,7 @@ def draw_energy(motion: Record, figure: EncodedFigure) -> None:
 
 
 def draw_momentum(motion: Record, figure: EncodedFigure) -> None:
-    """Draw the momenta of the bodies and the two conserved momenta."""
+    """Draw the two conserved momenta, each with its parts."""
     p_X, p_Phi = (float(motion.momenta[name][0]) for name in ("p_X", "p_Phi"))
     st.markdown(_("**Both sums stay flat:** what one part gains, the other loses."))
     alternative = _(
