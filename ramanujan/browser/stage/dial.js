@@ -99,7 +99,7 @@ export function makeDial(root, asked) {
   /** Write the sentence about the present angle, and up to the moment of a question the periods that have passed. */
   function writeVerdict(playback) {
     if (playback.computed) return write(find(".verdict"), computedSentence(playback.computedLead));
-    const sentence = leadSentence(playback), done = Math.floor(playback.periods + 1e-9);
+    const sentence = leadSentence(playback), done = playback.fullPeriods;
     const isCounting = asked && done >= 0 && done <= asked;
     write(find(".verdict"), isCounting ? fill(WORDS.counting, { done, periods: asked, sentence }) : sentence);
     // The sentence about the drift would answer the question before its moment.

@@ -226,7 +226,7 @@ export function makeLayers(root, asked) {
 
   /** Draw the total energy after each full period: its value, and a bar with a mark at the energy of the release. */
   function drawTotalEnergy(playback) {
-    const done = Math.floor(playback.periods + 1e-9), energy = playback.energyAt(done * TURN);
+    const done = playback.fullPeriods, energy = playback.energyAt(done * TURN);
     bars[0].style.width = `${(100 * energy) / data.most_energy}%`;
     const sentence = fill(WORDS.energy_share, { share: withUnit(fixed(100 * energy, 0), "%") });
     const text = asked ? fill(WORDS.counting, { done, periods: asked, sentence }) : sentence;

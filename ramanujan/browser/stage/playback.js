@@ -61,6 +61,11 @@ export class Playback {
     return TURN * between(this.computed.turns, clamp(this.phase / this.end, 0, 1));
   }
 
+  /** The number of full periods of the plain mass that have passed. */
+  get fullPeriods() {
+    return Math.floor(this.periods + 1e-9);
+  }
+
   /** The energy at a phase, in multiples of that at release. */
   energyAt(phase) {
     return this.samples?.energies ? between(this.samples.energies, clamp(phase / this.end, 0, 1)) : 1;
