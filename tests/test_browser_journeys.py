@@ -162,7 +162,7 @@ def test_a_projector_is_turned_by_keys(at):
     visitor = at("1729?view=projector")
     visitor.until(".st-key-pager >> select")
     visitor.until("[class*=st-key-slide-]:not([data-away]) .katex-display")
-    # WebKit makes a centred formula with a negative space too narrow.
+    # WebKit computes a wrong width of a formula with a negative space.
     assert visitor.page.evaluate(SCROLLED) == []
     for key, names_slide in (("PageDown", True), ("PageUp", False)):
         visitor.page.keyboard.press(key)

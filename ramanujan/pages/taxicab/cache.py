@@ -61,7 +61,7 @@ def unit_equations(ink: str, paper: str) -> str:
 def _operation(*parts: str) -> str:
     """Return an operation between two equations. It begins left of their equals signs, to fit into a narrow column.
 
-    It has no width, because WebKit makes a formula with a negative space too wide.
+    It has no width: with a negative space instead, WebKit computes a wrong width of the formula.
     """
     operation = r"\small\downarrow\;" + r",\;".join(parts)
     return rf"\mathllap{{\mathrlap{{{operation}}}\kern6em}}&"

@@ -97,7 +97,7 @@ def check_clickers(page) -> None:
     for key, expected in (("PageDown", 11), ("Space", 12), ("PageUp", 11), ("Shift+Space", 10), ("ArrowLeft", 9)):
         page.keyboard.press(key)
         assert step(page) == expected, key
-    # The page has no box of its own.
+    # In a box, a key types text. This page contains none.
     page.evaluate("document.querySelector('.st-key-questions').append(document.createElement('input'))")
     answer = page.locator(".st-key-questions input")
     answer.fill("k")
